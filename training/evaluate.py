@@ -18,9 +18,11 @@ BACKGROUNDS = np.array([[0, 0, 0], [255, 255, 255], [255, 128, 0]], np.float32)
 class GuideFiles:
     """The two sessions and the tokenizer of a guide folder."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, threads=1):
         folder = Path(folder)
-        self.image = onnxruntime.InferenceSession(str(folder / "vision_model.onnx"))
+        options = onnxruntime.SessionOptions()
+        options.intra_op_num_threads = threads
+        self.image = onnxruntime.InferenceSession(str(folder / "vision_model.onnx"), options)
         self.text = onnxruntime.InferenceSession(str(folder / "text_model.onnx"))
         self.tokenizer = Tokenizer.from_file(str(folder / "tokenizer.json"))
         self.config = json.loads((folder / "config.json").read_text())
@@ -32,14 +34,14 @@ class GuideFiles:
         ids, mask = np.array([r.ids for r in rows]), np.array([r.attention_mask for r in rows])
         return self.text.run(None, {"input_ids": ids, "attention_mask": mask})[0]
 
-    def shapes(self, images):
-        """Mean embeddings (k, d) over 4 views and 3 backgrounds of (k, 4, SIZE, SIZE) uint8, CLEAR outside."""
+    def shapes(self, images, grounds=3):
+        """Mean embeddings (k, d) over 4 views and the first backgrounds of (k, 4, SIZE, SIZE) uint8, CLEAR outside."""
         clear = images[:, :, None] == CLEAR
         out = 0
-        for ground in BACKGROUNDS:
+        for ground in BACKGROUNDS[:grounds]:
             x = np.where(clear, ground[:, None, None], images[:, :, None].astype(np.float32)) / 127.5 - 1
             out = out + self.image.run(None, {"pixel_values": x.reshape(-1, 3, SIZE, SIZE).astype(np.float32)})[0]
-        return out.reshape(len(images), 4, -1).mean(1) / len(BACKGROUNDS)
+        return out.reshape(len(images), 4, -1).mean(1) / grounds
 
 
 def held_out(guide, folder, count=2000):
