@@ -11,7 +11,7 @@ from generate import CLEAR
 from kinds import CAPTIONS, NAMES
 from model import ImageEncoder, TextEncoder
 from text import ADJECTIVES, attribute_of, encode, phrases
-from torch.nn import functional as F
+from torch.nn.functional import binary_cross_entropy_with_logits
 
 BACKGROUNDS = torch.tensor([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [1.0, 0.5, 0.0]])
 SHAPES = 64  # shapes a batch, four images each
@@ -20,12 +20,16 @@ HELD_OUT = 2000  # shapes at the end of the first folder that no net is trained 
 
 
 def goal(gap):
-    """The cosine wanted at a squared distance: near 0.9 inside a kind, with a tail long enough to climb from afar."""
+    """The cosine wanted at a squared distance: near 0.9 inside a kind, with a tail long enough to climb
+    from afar.
+    """
     return 0.55 * torch.exp(-gap) + 0.35 * torch.exp(-0.7 * gap.clamp(min=1e-6).sqrt())
 
 
 def composite(images, rng):
-    """(k, 4, s, s) uint8 with CLEAR outside to (4k, 3, s, s) in -1..1, each on a random background, shifted a little."""
+    """(k, 4, s, s) uint8 with CLEAR outside to (4k, 3, s, s) in -1..1, each on a random background, shifted
+    a little.
+    """
     k, v, s, _ = images.shape
     flat = torch.from_numpy(np.roll(images, rng.integers(-1, 2, 2), (2, 3)).reshape(k * v, 1, s, s))
     clear = flat == CLEAR
@@ -47,7 +51,9 @@ def mixed_captions(rng, count=14):
 
 
 class Shapes:
-    """Random batches from folders of arrays: all of the first but its last shapes, and a share of mined ones."""
+    """Random batches from folders of arrays: all of the first but its last shapes, and a share of mined
+    ones.
+    """
 
     def __init__(self, folders, rng, held_out=HELD_OUT):
         self.rng = rng
@@ -72,7 +78,9 @@ class Shapes:
 
 
 def fit(folders, out, steps, seed, threads, resume=None, rate=2e-3):
-    """Train on the shapes of `folders`, from the weights `resume` or from scratch, and save the weights to `out`."""
+    """Train on the shapes of `folders`, from the weights `resume` or from scratch, and save the weights to
+    `out`.
+    """
     torch.set_num_threads(threads)
     torch.manual_seed(seed)
     rng = np.random.default_rng(seed)
@@ -100,15 +108,20 @@ def fit(folders, out, steps, seed, threads, resume=None, rate=2e-3):
         wanted = goal(gap)
         weight = 0.4 + 2.5 * wanted
         mean = each.mean(1)
-        loss = (weight * (mean - wanted) ** 2).mean() + 0.3 * (weight[:, None] * (each - wanted[:, None]) ** 2).mean()
-        loss = loss + 0.02 * F.binary_cross_entropy_with_logits(14 * (mean - 0.45), torch.exp(-gap))
+        loss = (weight * (mean - wanted) ** 2).mean() + 0.3 * (
+            weight[:, None] * (each - wanted[:, None]) ** 2
+        ).mean()
+        loss = loss + 0.02 * binary_cross_entropy_with_logits(14 * (mean - 0.45), torch.exp(-gap))
         optimiser.zero_grad()
         loss.backward()
         optimiser.step()
         schedule.step()
         if step % 200 == 0 or step == steps - 1:
             error = (mean - wanted).abs().mean().item()
-            print(f"net {seed} step {step} loss {loss.item():.4f} error {error:.4f} {time.time() - start:.0f} s", flush=True)
+            seconds = time.time() - start
+            print(
+                f"net {seed} step {step} loss {loss.item():.4f} error {error:.4f} {seconds:.0f} s", flush=True
+            )
     torch.save({"image": eye.state_dict(), "text": text.state_dict()}, out)
 
 

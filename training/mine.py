@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""Shapes as our own search makes them: deformed by real fields towards a caption that a guide likes, then measured.
+"""Shapes as our own search makes them: deformed by real fields towards a caption that a guide likes, then
+measured.
 
-Whatever the guide believes, the truth is read off the vertices, so outcomes that score high and are wrong become
-negatives, and good ones become examples. Writes the same arrays as generate.py.
+Whatever the guide believes, the truth is read off the vertices, so outcomes that score high and are wrong
+become negatives, and good ones become examples. Writes the same arrays as generate.py.
 """
 
 import argparse
@@ -55,7 +56,9 @@ def _normals(v, f):
 
 def gray(vertices, triangles):
     """The four views as generate.py stores them."""
-    image = boxmorph.render(np.ascontiguousarray(vertices, np.float32), triangles, size=SIZE, views="paper", renderer="cpu")
+    image = boxmorph.render(
+        np.ascontiguousarray(vertices, np.float32), triangles, size=SIZE, views="paper", renderer="cpu"
+    )
     return np.where(image[..., -1] > 127, np.minimum(image[..., 0], CLEAR - 1), CLEAR)
 
 

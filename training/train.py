@@ -35,12 +35,16 @@ def main():
     """Shapes, then rounds of fitting and mining, then the figures."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=HERE / "out", help="folder for shapes and weights")
-    parser.add_argument("--guide", type=Path, default=HERE.parent / "guides" / "mini", help="folder to write the guide to")
+    parser.add_argument(
+        "--guide", type=Path, default=HERE.parent / "guides" / "mini", help="folder to write the guide to"
+    )
     parser.add_argument("--count", type=int, default=50_000, help="shapes drawn before any search")
     parser.add_argument("--nets", type=int, default=2)
     parser.add_argument("--seed", type=int, default=11)
     parser.add_argument("--short", type=int, default=1, help="divide all counts by this, to try the pipeline")
-    parser.add_argument("--meshes", type=Path, default=HERE.parent.parent / "shared" / "reference", help="unseen .obj files")
+    parser.add_argument(
+        "--meshes", type=Path, default=HERE.parent.parent / "shared" / "reference", help="unseen .obj files"
+    )
     a = parser.parse_args()
     base = a.out / "base"
     generate(base, max(a.count // a.short, 3000), a.seed)
@@ -49,7 +53,14 @@ def main():
         jobs = []
         for n, path in enumerate(weights):
             resume = ["--resume", path] if number else []
-            options = ["--steps", max(steps // a.short, 20), "--rate", rate, "--seed", a.seed + 10 * number + n]
+            options = [
+                "--steps",
+                max(steps // a.short, 20),
+                "--rate",
+                rate,
+                "--seed",
+                a.seed + 10 * number + n,
+            ]
             jobs.append(run(HERE / "fit.py", path, *folders, *options, *resume))
         finish(jobs)
         export(weights, a.guide)

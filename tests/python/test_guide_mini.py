@@ -44,7 +44,7 @@ def on_legs(width, depth, height, thickness, leg, back=0.0, spread=1.0):
     for sx in (-1, 1):
         for sy in (-1, 1):
             at = np.array([sx * (x - leg) * spread, sy * (y - leg) * spread, 0])
-            parts.append(cuboid(at - (leg, leg, 0), at + (leg, leg, height - thickness)))
+            parts.append(cuboid(at - (leg, leg, 0), (*at, leg, leg, height - thickness)))
     if back:
         parts.append(cuboid((-x, y - 0.05, height - thickness), (x, y, height + back)))
     return joined(parts)
@@ -69,7 +69,12 @@ def test_articles_fillers_case_and_plurals_change_nothing(guide, one, other):
 
 @pytest.mark.parametrize(
     "one, other",
-    [("a couch", "a sofa"), ("a zeppelin", "an airship"), ("an airplane", "an aeroplane"), ("a bedside table", "a nightstand")],
+    [
+        ("a couch", "a sofa"),
+        ("a zeppelin", "an airship"),
+        ("an airplane", "an aeroplane"),
+        ("a bedside table", "a nightstand"),
+    ],
 )
 def test_synonyms_are_closer_than_any_other_class(guide, one, other):
     said, meant = guide.text_embedding(one), guide.text_embedding(other)
