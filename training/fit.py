@@ -14,7 +14,7 @@ from text import ADJECTIVES, attribute_of, encode, phrases
 from torch.nn.functional import binary_cross_entropy_with_logits
 
 BACKGROUNDS = torch.tensor([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [1.0, 0.5, 0.0]])
-SHAPES = 64  # shapes a batch, four images each
+SHAPES = 32  # shapes a batch, four images each
 MINED = 0.35  # share of a batch that comes from searches, once there are any
 HELD_OUT = 2000  # shapes at the end of the first folder that no net is trained on
 
