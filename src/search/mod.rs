@@ -1,2 +1,16 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! To come.
+//! The search for box scales: CMA-ES with ask and tell, and the gauge that pins its outcome (paper §4).
+
+mod bounds;
+mod cmaes;
+mod covariance;
+mod error;
+mod exact;
+mod saved;
+mod stop;
+mod strategy;
+
+pub use bounds::Bounds;
+pub use cmaes::{CmaEs, CmaEsOptions};
+pub use error::SearchError;
+pub use stop::StopReason;
