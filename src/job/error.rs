@@ -9,7 +9,7 @@ use thiserror::Error;
 use crate::boxdef::BoxDefError;
 use crate::guide::GuideError;
 use crate::render::RenderError;
-use crate::search::SearchError;
+use crate::search::{ObjectiveError, SearchError};
 
 /// Why a job gives no outcome. Cheap to clone: it is reported each time the result is asked for.
 #[derive(Debug, Clone, Error)]
@@ -74,10 +74,15 @@ impl From<BoxDefError> for JobError {
 
 impl From<SearchError> for JobError {
     fn from(error: SearchError) -> Self {
+        Self::Search(Arc::new(error))
+    }
+}
+
+impl From<ObjectiveError> for JobError {
+    fn from(error: ObjectiveError) -> Self {
         match error {
-            SearchError::Guide(error) => error.into(),
-            SearchError::Render(error) => error.into(),
-            error => Self::Search(Arc::new(error)),
+            ObjectiveError::Guide(error) => error.into(),
+            ObjectiveError::Render(error) => error.into(),
         }
     }
 }

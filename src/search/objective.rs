@@ -5,13 +5,24 @@ use std::sync::Arc;
 
 use glam::Vec3;
 use rayon::prelude::*;
+use thiserror::Error;
 
-use super::SearchError;
 use super::preset::{ImagePlan, NORMAL_WEIGHT};
 use crate::boxdef::DeformField;
-use crate::guide::Guide;
+use crate::guide::{Guide, GuideError};
 use crate::mesh::Mesh;
-use crate::render::{self, BACKGROUNDS, Backend, Renderer, View};
+use crate::render::{self, BACKGROUNDS, Backend, RenderError, Renderer, View};
+
+/// Why candidates cannot be evaluated.
+#[derive(Debug, Error)]
+pub enum ObjectiveError {
+    /// The guide failed.
+    #[error(transparent)]
+    Guide(#[from] GuideError),
+    /// The renderer failed.
+    #[error(transparent)]
+    Render(#[from] RenderError),
+}
 
 /// What one candidate is worth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,7 +55,7 @@ impl<'a> Objective<'a> {
         prompt: &'a [f32],
         backend: Backend,
         views: &[View],
-    ) -> Result<Self, SearchError> {
+    ) -> Result<Self, ObjectiveError> {
         let triangles = mesh.triangles().into();
         let renderer = render::open(backend, field.clone(), triangles, views, guide.image_size())?;
         let rest_normals = mesh.vertex_normals(mesh.vertices());
@@ -84,7 +95,7 @@ impl<'a> Objective<'a> {
         &mut self,
         candidates: &[Vec<Vec3>],
         plan: ImagePlan,
-    ) -> Result<Vec<Evaluation>, SearchError> {
+    ) -> Result<Vec<Evaluation>, ObjectiveError> {
         self.renderer.render(candidates, &mut self.rgba)?;
         let pairs = plan.pairs(self.renderer.views());
         self.composite(&pairs);

@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use super::cmaes::{CmaEs, CmaEsOptions};
 use super::preset::{Preset, SCALE_PER_X, X_RANGE};
-use super::{Objective, SearchError, StopReason};
+use super::{Bounds, Objective, ObjectiveError, SearchError, StopReason};
 
 /// What is known after each generation.
 #[derive(Debug)]
@@ -34,7 +34,7 @@ pub struct Found {
 }
 
 /// Minimises the objective's loss. `each_generation` may end the search with its own error.
-pub fn search<E: From<SearchError>>(
+pub fn search<E: From<SearchError> + From<ObjectiveError>>(
     objective: &mut Objective<'_>,
     preset: &Preset,
     seed: u64,
@@ -44,7 +44,7 @@ pub fn search<E: From<SearchError>>(
     let mut cma = CmaEs::new(CmaEsOptions {
         start: vec![0.0; dimensions],
         sigma: preset.sigma,
-        bounds: Some(vec![X_RANGE; dimensions]),
+        bounds: Bounds::Same(X_RANGE.0, X_RANGE.1),
         population: Some(preset.population(dimensions)),
         seed,
         max_generations: preset.max_generations,
