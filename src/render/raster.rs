@@ -7,6 +7,7 @@
 use super::camera::{Camera, DISTANCE, TAN_HALF_FOV};
 use super::frame::Frame;
 use glam::Vec3;
+use std::ops::Range;
 
 /// Bits below one sample.
 const SUB_BITS: i32 = 8;
@@ -21,6 +22,16 @@ pub(super) struct Projected {
     nearness: f32,
 }
 
+impl Projected {
+    /// First sample not left of and not above the vertex: column in the upper half, row in the lower.
+    ///
+    /// By the top-left rule a triangle covers none but the columns from the least to before the greatest of
+    /// its corners' columns; rows likewise.
+    fn cell(self) -> u32 {
+        (((self.x + (SUB - 1)) >> SUB_BITS) << 16 | ((self.y + (SUB - 1)) >> SUB_BITS & 0xFFFF)) as u32
+    }
+}
+
 /// What a sample holds: the bits of the nearness above the inverted triangle index, so that the largest key is
 /// the nearest triangle and, of equally near ones, the first. 0 is nothing.
 type Key = u64;
@@ -30,6 +41,9 @@ type Key = u64;
 pub(super) struct Raster {
     side: usize,
     projected: Vec<Projected>,
+    cells: Vec<u32>,
+    /// Triangles that may cover a sample.
+    candidates: Vec<u32>,
     keys: Vec<Key>,
     /// First and one-past-last column, then row, of what the last shape may have touched.
     touched: [usize; 4],
@@ -47,24 +61,35 @@ impl Raster {
     ) {
         self.clear(side);
         self.project(camera, frame, positions);
-        let (mut low, mut high) = ([i32::MAX; 2], [i32::MIN; 2]);
-        for (index, corners) in triangles.iter().enumerate() {
-            let [a, b, c] = corners.map(|i| self.projected[i as usize]);
-            // First and last sample whose centre the triangle's box holds.
-            let x0 = (a.x.min(b.x).min(c.x) + (SUB - 1)) >> SUB_BITS;
-            let x1 = a.x.max(b.x).max(c.x) >> SUB_BITS;
-            let y0 = (a.y.min(b.y).min(c.y) + (SUB - 1)) >> SUB_BITS;
-            let y1 = a.y.max(b.y).max(c.y) >> SUB_BITS;
-            if x0 > x1 || y0 > y1 {
-                continue;
-            }
-            low = [low[0].min(x0), low[1].min(y0)];
-            high = [high[0].max(x1), high[1].max(y1)];
-            fill(&mut self.keys, side, [x0, x1, y0, y1], [a, b, c], index as u32);
+        self.find_candidates(triangles);
+        let (mut low, mut high) = ([usize::MAX; 2], [0; 2]);
+        for &index in &self.candidates {
+            let corners = triangles[index as usize];
+            let cells = corners.map(|i| self.cells[i as usize]);
+            let [x, y] =
+                [cells.map(|cell| (cell >> 16) as usize), cells.map(|cell| (cell & 0xFFFF) as usize)];
+            let x = x[0].min(x[1]).min(x[2])..x[0].max(x[1]).max(x[2]);
+            let y = y[0].min(y[1]).min(y[2])..y[0].max(y[1]).max(y[2]);
+            low = [low[0].min(x.start), low[1].min(y.start)];
+            high = [high[0].max(x.end), high[1].max(y.end)];
+            fill(&mut self.keys, side, x, y, corners.map(|i| self.projected[i as usize]), index);
         }
-        if low[0] <= high[0] {
-            self.touched = [low[0] as usize, high[0] as usize + 1, low[1] as usize, high[1] as usize + 1];
+        if low[0] < high[0] {
+            self.touched = [low[0], high[0], low[1], high[1]];
         }
+    }
+
+    /// Most triangles of a fine mesh fall between the samples: a pass without branches sets them aside.
+    fn find_candidates(&mut self, triangles: &[[u32; 3]]) {
+        self.candidates.resize(triangles.len(), 0);
+        let mut count = 0;
+        for (index, corners) in (0u32..).zip(triangles) {
+            let [a, b, c] = corners.map(|i| self.cells[i as usize]);
+            let differ = (a ^ b) | (a ^ c);
+            self.candidates[count] = index;
+            count += usize::from((differ >> 16 != 0) & (differ & 0xFFFF != 0));
+        }
+        self.candidates.truncate(count);
     }
 
     /// Columns and rows outside which nothing was drawn: first and one-past-last of each.
@@ -106,6 +131,8 @@ impl Raster {
             let snap = |v: f32| (v + origin) as i32;
             Projected { x: snap(p.dot(across) * nearness), y: snap(p.dot(down) * nearness), nearness }
         }));
+        self.cells.clear();
+        self.cells.extend(self.projected.iter().map(|vertex| vertex.cell()));
     }
 }
 
@@ -140,10 +167,16 @@ impl Edge {
     }
 }
 
-/// Enters one triangle into the samples of its box `[x0, x1, y0, y1]`, bounds included.
+/// Enters one triangle into the samples of columns `x` and rows `y`, which hold all that it covers.
 #[inline]
-fn fill(keys: &mut [Key], side: usize, [x0, x1, y0, y1]: [i32; 4], corners: [Projected; 3], index: u32) {
-    let [a, mut b, mut c] = corners;
+fn fill(
+    keys: &mut [Key],
+    side: usize,
+    x: Range<usize>,
+    y: Range<usize>,
+    [a, mut b, mut c]: [Projected; 3],
+    index: u32,
+) {
     let area = i64::from(b.x - a.x) * i64::from(c.y - a.y) - i64::from(c.x - a.x) * i64::from(b.y - a.y);
     if area == 0 {
         return;
@@ -151,36 +184,43 @@ fn fill(keys: &mut [Key], side: usize, [x0, x1, y0, y1]: [i32; 4], corners: [Pro
     if area < 0 {
         std::mem::swap(&mut b, &mut c);
     }
+    let (x0, y0) = (x.start as i32, y.start as i32);
     let edges = [Edge::new(b, c, x0, y0), Edge::new(c, a, x0, y0), Edge::new(a, b, x0, y0)];
+    let mut row_starts = [0, 1, 2].map(|i: usize| edges[i].start + edges[i].bias);
+    // The sign bit of the three is that of the least.
+    let is_inside = |values: [i64; 3]| values[0] | values[1] | values[2] >= 0;
+    let is_single = x.len() == 1 && y.len() == 1;
+    if is_single && !is_inside(row_starts) {
+        return;
+    }
     let (to_b, to_c) = (b.nearness - a.nearness, c.nearness - a.nearness);
     let per_area = 1.0 / area.abs() as f32;
     let slope = |at_b: i64, at_c: i64| (at_b as f32 * to_b + at_c as f32 * to_c) * per_area;
     let nearness = a.nearness + slope(edges[1].start, edges[2].start);
+    let key = |nearness: f32| u64::from(nearness.to_bits()) << 32 | u64::from(!index);
+    if is_single {
+        let sample = &mut keys[y.start * side + x.start];
+        *sample = (*sample).max(key(nearness));
+        return;
+    }
     let across = slope(edges[1].step_x, edges[2].step_x);
     let down = slope(edges[1].step_y, edges[2].step_y);
-
-    let mut starts = [0, 1, 2].map(|i: usize| edges[i].start + edges[i].bias);
-    let steps_x = [0, 1, 2].map(|i: usize| edges[i].step_x);
-    for (row, y) in (y0..=y1).enumerate() {
-        let mut inside = starts;
+    for (row, y) in y.enumerate() {
+        let mut values = row_starts;
         let row_nearness = nearness + down * row as f32;
-        let first = y as usize * side + x0 as usize;
         let mut entered = false;
-        for (column, key) in keys[first..=first + (x1 - x0) as usize].iter_mut().enumerate() {
-            // The sign bit of the three is that of the least.
-            if inside[0] | inside[1] | inside[2] >= 0 {
+        for (column, sample) in keys[y * side + x.start..y * side + x.end].iter_mut().enumerate() {
+            if is_inside(values) {
                 entered = true;
-                let near = row_nearness + across * column as f32;
-                let candidate = u64::from(near.to_bits()) << 32 | u64::from(!index);
-                *key = (*key).max(candidate);
+                *sample = (*sample).max(key(row_nearness + across * column as f32));
             } else if entered {
                 break;
             }
-            for (value, step) in inside.iter_mut().zip(steps_x) {
-                *value += step;
+            for (value, edge) in values.iter_mut().zip(&edges) {
+                *value += edge.step_x;
             }
         }
-        for (value, edge) in starts.iter_mut().zip(&edges) {
+        for (value, edge) in row_starts.iter_mut().zip(&edges) {
             *value += edge.step_y;
         }
     }
