@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! The search for box scales: CMA-ES with ask and tell, and the gauge that pins its outcome (paper §4).
+//! The search for box scales: objective, CMA-ES with ask and tell, and the gauge that pins its outcome (paper §4).
 
 mod bounds;
 mod cmaes;
