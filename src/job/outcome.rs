@@ -9,7 +9,7 @@ use super::JobSpec;
 use crate::boxdef::{BoxDefGraph, DeformField};
 use crate::report::Report;
 use crate::search::Gauge;
-use crate::spectrum::SliderRange;
+use crate::spectrum::SliderLimits;
 
 /// A graph with its field on the mesh, and on the extra points where there are any.
 #[derive(Debug)]
@@ -38,7 +38,7 @@ impl Best {
     /// The gauge and the mesh's positions under it.
     pub fn gauged(&self, spec: &JobSpec) -> (Gauge, Vec<Vec3>) {
         let mut vertices = self.stage.field.deform(&self.scales);
-        let gauge = Gauge::fit(spec.mesh.vertices(), &vertices, spec.keep_size, spec.keep_place);
+        let gauge = Gauge::new(spec.mesh.vertices(), &vertices, spec.keep_size, spec.keep_place);
         gauge.apply(&mut vertices);
         (gauge, vertices)
     }
@@ -63,7 +63,7 @@ pub struct Outcome {
     /// The part graph of the winning split count.
     pub graph: Arc<BoxDefGraph>,
     /// The range of the slider.
-    pub slider: SliderRange,
+    pub slider: SliderLimits,
     /// The record.
     pub report: Report,
 }

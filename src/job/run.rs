@@ -12,7 +12,7 @@ use crate::boxdef::BoxDefGraph;
 use crate::render::{self, View};
 use crate::report::{GuideRecord, Report};
 use crate::search::{self, Evaluation, ImagePlan, Objective, StopReason};
-use crate::spectrum::SliderRange;
+use crate::spectrum::{DEFAULT_RANGE, slider_limits};
 
 /// The winner of one split count, judged by every image.
 struct Finalist {
@@ -128,7 +128,7 @@ fn outcome(spec: &JobSpec, harness: &Harness, winner: Finalist, spent: Spent) ->
     let Finalist { best, before, after, stop } = winner;
     let (gauge, vertices) = best.gauged(spec);
     let points = best.points(gauge);
-    let slider = SliderRange::of(&best.scales, gauge.scale);
+    let slider = slider_limits(&best.scales, gauge.scale, DEFAULT_RANGE);
     let graph = best.stage.graph.clone();
     harness.update(|p| p.phase = "Done".into());
     harness.set_best(best.clone());
@@ -140,7 +140,7 @@ fn outcome(spec: &JobSpec, harness: &Harness, winner: Finalist, spent: Spent) ->
         preset: spec.preset.name.into(),
         seed: spec.seed,
         splits: best.stage.splits,
-        symmetry: graph.symmetry().map(|axis| axis.to_string()),
+        symmetry: graph.symmetry_axis().map(|axis| ["x", "y", "z"][axis].into()),
         renderer: spent.renderer,
         vertices: spec.mesh.vertices().len(),
         triangles: spec.mesh.triangles().len(),

@@ -134,8 +134,8 @@ impl PyBoxDefGraph {
 
     /// The axis of symmetry, "x", "y" or "z"; None where there is none.
     #[getter]
-    fn symmetry(&self) -> Option<String> {
-        self.0.symmetry().map(|axis| axis.to_string())
+    fn symmetry(&self) -> Option<&'static str> {
+        self.0.symmetry_axis().map(|axis| ["x", "y", "z"][axis])
     }
 
     fn deform<'py>(&self, py: Python<'py>, scales: &Bound<'_, PyAny>) -> PyResult<Bound<'py, PyArray2<f32>>> {
