@@ -28,8 +28,7 @@ impl BoxDefGraph {
     pub fn from_parts(mesh: &Mesh, parts: Parts) -> Result<Self, BoxDefError> {
         parts.check(mesh.vertices().len())?;
         let frame = Frame::of_vertices(mesh);
-        let stages =
-            parts.edges.iter().flat_map(|&[a, b]| [vec![[a, b]], vec![[b, a]]]).collect();
+        let stages = parts.edges.iter().flat_map(|&[a, b]| [vec![[a, b]], vec![[b, a]]]).collect();
         let axis = twin_axis(&parts);
         Ok(Self::assemble(mesh, parts, frame, axis, None, stages))
     }

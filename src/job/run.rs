@@ -43,7 +43,8 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
     let mut winner: Option<Finalist> = None;
     for (index, stage) in stages.iter().enumerate() {
         let done = index * spec.preset.max_generations;
-        let finalist = search_stage(spec, harness, stage, &prompt, &views, &mut spent, done, winner.as_ref())?;
+        let finalist =
+            search_stage(spec, harness, stage, &prompt, &views, &mut spent, done, winner.as_ref())?;
         if winner.as_ref().is_none_or(|w| finalist.after.score > w.after.score) {
             winner = Some(finalist);
         }

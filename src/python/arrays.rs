@@ -11,7 +11,11 @@ use pyo3::prelude::*;
 /// A C-contiguous array of `columns` columns and dtype `T`, flattened.
 ///
 /// A wrong dtype is a `TypeError`; a wrong shape or memory order a `ValueError`.
-fn flat<'py, T: Element>(value: &Bound<'py, PyAny>, name: &str, kind: &str) -> PyResult<PyReadonlyArrayDyn<'py, T>> {
+fn flat<'py, T: Element>(
+    value: &Bound<'py, PyAny>,
+    name: &str,
+    kind: &str,
+) -> PyResult<PyReadonlyArrayDyn<'py, T>> {
     let array = value
         .cast::<PyArrayDyn<T>>()
         .map_err(|_| PyTypeError::new_err(format!("{name} must be a numpy array of {kind}")))?;

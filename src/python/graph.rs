@@ -150,6 +150,10 @@ impl PyBoxDefGraph {
     }
 
     fn __repr__(&self) -> String {
-        format!("BoxDefGraph({} boxes, {} parameter rows)", self.0.box_center().len(), self.0.parameter_rows())
+        format!(
+            "BoxDefGraph({} boxes, {} parameter rows)",
+            self.0.box_center().len(),
+            self.0.parameter_rows()
+        )
     }
 }

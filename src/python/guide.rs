@@ -44,7 +44,8 @@ impl PyGuide {
         images: &Bound<'_, PyAny>,
     ) -> PyResult<Bound<'py, PyArray2<f32>>> {
         let images = arrays::images(images, self.0.image_size() as usize)?;
-        let embeddings = py.detach(|| self.0.image_embeddings(&images)).map_err(|e| IntoPyErr::into_py_err(&e))?;
+        let embeddings =
+            py.detach(|| self.0.image_embeddings(&images)).map_err(|e| IntoPyErr::into_py_err(&e))?;
         let rows = embeddings.len() / self.0.dimension();
         PyArray1::from_vec(py, embeddings).reshape([rows, self.0.dimension()])
     }

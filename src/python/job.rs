@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use numpy::{PyArray2, PyArrayMethods as _};
+use numpy::PyArray2;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -42,9 +42,7 @@ impl PyJob {
     ) -> PyResult<Self> {
         let guide = match guide {
             Some(guide) => guide.0.clone(),
-            None => Arc::new(
-                py.detach(|| Guide::open(None, None)).map_err(|e| IntoPyErr::into_py_err(&e))?,
-            ),
+            None => Arc::new(py.detach(|| Guide::open(None, None)).map_err(|e| IntoPyErr::into_py_err(&e))?),
         };
         let spec = JobSpec {
             mesh: mesh.0.as_ref().clone(),
@@ -207,6 +205,8 @@ fn keep_place(name: &str) -> PyResult<KeepPlace> {
     match name {
         "bottom" => Ok(KeepPlace::BottomCenter),
         "off" => Ok(KeepPlace::Off),
-        _ => Err(PyValueError::new_err(format!("unknown keep_place \"{name}\": choose \"bottom\" or \"off\""))),
+        _ => {
+            Err(PyValueError::new_err(format!("unknown keep_place \"{name}\": choose \"bottom\" or \"off\"")))
+        }
     }
 }

@@ -67,3 +67,19 @@ pub enum RenderError {
     #[error("the GPU failed ({0}): choose the renderer \"cpu\"")]
     Gpu(String),
 }
+
+impl RenderError {
+    /// True where the caller's input is wrong rather than the renderer.
+    #[must_use]
+    pub fn is_input(&self) -> bool {
+        matches!(
+            self,
+            Self::UnknownViews(_)
+                | Self::UnknownBackend(_)
+                | Self::Size(_)
+                | Self::NoTriangles
+                | Self::TriangleIndex { .. }
+                | Self::NonFinite { .. }
+        )
+    }
+}

@@ -101,7 +101,9 @@ impl<'a> Objective<'a> {
         self.composite(&pairs);
         let embeddings = self.guide.image_embeddings(&self.rgb)?;
         self.images_encoded += candidates.len() * pairs.len();
-        let errors: Vec<f64> = candidates.par_iter().map(|scales| self.normal_error(scales)).collect();
+        let (mesh, field, rest) = (self.mesh, &*self.field, self.rest_normals.as_slice());
+        let errors: Vec<f64> =
+            candidates.par_iter().map(|scales| normal_error(mesh, field, rest, scales)).collect();
         let per_candidate = pairs.len() * self.prompt.len();
         Ok(embeddings
             .chunks_exact(per_candidate)
@@ -129,13 +131,16 @@ impl<'a> Objective<'a> {
                 }
             });
     }
+}
 
-    /// Mean of 1 − cos between vertex normals before and after (paper §3.1).
-    fn normal_error(&self, scales: &[Vec3]) -> f64 {
-        let normals = self.mesh.vertex_normals(&self.field.deform(scales));
-        let total: f64 = normals.iter().zip(&self.rest_normals).map(|(a, b)| 1.0 - f64::from(a.dot(*b))).sum();
-        total / normals.len() as f64
-    }
+/// Mean of 1 − cos between vertex normals before and after (paper §3.1).
+fn normal_error(mesh: &Mesh, field: &DeformField, rest_normals: &[Vec3], scales: &[Vec3]) -> f64 {
+    let normals = mesh.vertex_normals(&field.deform(scales));
+    // A vertex without a normal (its faces collapsed) counts as turned by a right angle.
+    let cosine = |(a, b): (&Vec3, &Vec3)| if a.is_finite() { f64::from(a.dot(*b)) } else { 0.0 };
+    let total: f64 =
+        normals.iter().zip(rest_normals).filter(|(_, b)| b.is_finite()).map(|n| 1.0 - cosine(n)).sum();
+    total / normals.len() as f64
 }
 
 /// Mean cosine between unit embeddings (`k × d`) and one unit embedding (`d`).
