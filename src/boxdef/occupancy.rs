@@ -39,6 +39,10 @@ impl CellBox {
         (0..3).map(|axis| self.extent(axis)).max().unwrap_or(0)
     }
 
+    pub(crate) fn volume(&self) -> usize {
+        (0..3).map(|axis| self.extent(axis)).product()
+    }
+
     pub(crate) fn contains(&self, cell: [usize; 3]) -> bool {
         (0..3).all(|axis| (self.low[axis]..self.high[axis]).contains(&cell[axis]))
     }

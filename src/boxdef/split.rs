@@ -20,6 +20,8 @@ use super::parts::{MID, POS};
 
 /// Cells to a slab: 0.1 of the frame's unit.
 const SLAB: usize = 10;
+/// Layers on either side of a cut that are compared to place it exactly.
+const STEP: usize = 2;
 /// Cells to a bin of the projected area: 0.04 of the frame's unit.
 const BIN: usize = 4;
 /// Added to an axis' length in the score, so that short axes do not score without limit.
@@ -94,12 +96,20 @@ impl Splitter<'_> {
                 }
             }
         }
-        cuts.sort_by(|a, b| a.score.total_cmp(&b.score));
-        cuts.into_iter().find(|&cut| {
+        let cuts = cuts.into_iter().filter_map(|cut| {
             let children = self.cut(piece, cut);
-            children.len() > usize::from(cut_count(self.symmetry, piece, cut) == 1)
-                && children.iter().all(|child| child.tight.longest() >= LEAST_LENGTH)
-        })
+            let doubled = cut_count(self.symmetry, piece, cut) == 2;
+            let kept = children.len() > usize::from(!doubled)
+                && children.iter().all(|child| child.tight.longest() >= LEAST_LENGTH);
+            let weight = |child: &Piece| if doubled && child.side == POS { 2.0 } else { 1.0 };
+            let volume: f64 = children.iter().map(|c| weight(c) * c.tight.volume() as f64).sum();
+            let share = volume / piece.tight.volume() as f64;
+            kept.then_some((cut.score * share, !doubled, share, cut))
+        });
+        let best = cuts.min_by(|a, b| {
+            a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.total_cmp(&b.2))
+        });
+        best.map(|(score, .., cut)| Cut { score, ..cut })
     }
 
     /// The pieces that a cut leaves; a neg piece goes without saying.
@@ -141,8 +151,7 @@ impl Splitter<'_> {
             let over_plane =
                 piece.side == MID && self.symmetry == Some(axis) && (from..=to).contains(&middle);
             let at = if over_plane { middle } else { (from + to) / 2 };
-            // Wider gaps first; all of them before any step.
-            cuts.push(Cut { axis, at, score: -(run as f64) });
+            cuts.push(Cut { axis, at, score: 0.0 });
             start += run;
         }
     }
@@ -166,7 +175,7 @@ impl Splitter<'_> {
             if slope - here.abs() > WORTH.ln() {
                 continue;
             }
-            let at = sharpen(layers, low + i * SLAB - piece.tight.low[axis]) + piece.tight.low[axis];
+            let at = sharpen(layers, low + i * SLAB - piece.tight.low[axis], here) + piece.tight.low[axis];
             if !self.leaves_sliver(piece, axis, at) {
                 cuts.push(Cut { axis, at, score: (-here.abs()).exp() / (length + SCORE_LENGTH) });
             }
@@ -201,18 +210,17 @@ fn cut_count(symmetry: Option<usize>, piece: &Piece, cut: Cut) -> u32 {
     if piece.side == MID && symmetry == Some(cut.axis) { 2 } else { 1 }
 }
 
-/// The layer nearest to `at` before which the number of filled cells steps most, within a slab either way.
-fn sharpen(layers: &[u32], at: usize) -> usize {
-    let step = |k: usize| {
-        let (a, b) = (f64::from(layers[k - 1]).max(0.5), f64::from(layers[k]).max(0.5));
-        (a / b).ln().abs()
-    };
-    let from = at.saturating_sub(SLAB - 1).max(1);
-    let to = (at + SLAB - 1).min(layers.len() - 1);
+/// The layer before which the number of filled cells steps most, up or down as `change` says, within a slab
+/// either way of `at`; of equals the one nearest to `at`.
+fn sharpen(layers: &[u32], at: usize, change: f64) -> usize {
+    let sum = |range: std::ops::Range<usize>| layers[range].iter().map(|&c| f64::from(c)).sum::<f64>();
+    let step = |k: usize| change.signum() * (sum(k..k + STEP) - sum(k - STEP..k));
+    let from = (at - (SLAB - 1)).max(STEP);
+    let to = (at + SLAB - 1).min(layers.len() - STEP);
     let mut best = at;
     for k in from..=to {
         let (new, old) = (step(k), step(best));
-        if new > old + 1e-9 || ((new - old).abs() <= 1e-9 && k.abs_diff(at) < best.abs_diff(at)) {
+        if new > old || (new == old && k.abs_diff(at) < best.abs_diff(at)) {
             best = k;
         }
     }
