@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! `BoxDefGraph`: part boxes, the edges between them, and the field that follows from both (paper §3.1).
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
+use super::assign::assign;
+use super::boxes::{keep_owners, part_boxes};
+use super::connect::connect;
 use super::error::BoxDefError;
 use super::field::DeformField;
 use super::frame::Frame;
+use super::occupancy::Occupancy;
 use super::parts::Parts;
 use super::propagate::Propagation;
+use super::split::split;
+use super::symmetry::{self, MirrorMap, Symmetry};
 use crate::mesh::Mesh;
 
 /// Part boxes of a mesh, the tree and graph edges between them, and the deformation field.
@@ -30,22 +36,61 @@ impl BoxDefGraph {
         let frame = Frame::of_vertices(mesh);
         let stages = parts.edges.iter().flat_map(|&[a, b]| [vec![[a, b]], vec![[b, a]]]).collect();
         let axis = twin_axis(&parts);
-        Ok(Self::assemble(mesh, parts, frame, axis, None, stages))
+        Ok(Self::assemble(mesh, parts, frame, &frame.vertices(mesh), axis, None, stages))
+    }
+
+    /// Finds the parts of a mesh with at most `splits` (1 to 8) cuts, fewer where no cut is worth it.
+    pub fn build(mesh: &Mesh, splits: u32, symmetry: Symmetry) -> Result<Self, BoxDefError> {
+        if !(1..=8).contains(&splits) {
+            return Err(BoxDefError::Splits(splits));
+        }
+        let frame = Frame::of_surface(mesh);
+        let vertices = frame.vertices(mesh);
+        let mut occupancy = Occupancy::of(mesh, frame, &vertices);
+        let axis = symmetry::resolve(symmetry, &occupancy);
+        if let Some(axis) = axis {
+            occupancy.symmetrise(axis);
+        }
+        let pieces = split(&occupancy, splits, axis);
+        let mirror = axis.map(|axis| MirrorMap::of(&vertices, axis));
+        let mut boxes = part_boxes(mesh, &vertices, &occupancy, &pieces, axis);
+        let owners = loop {
+            let owners = assign(mesh, &vertices, &occupancy, &boxes, mirror.as_ref());
+            let kept = keep_owners(&boxes, &owners);
+            if kept.len() == boxes.len() {
+                break owners;
+            }
+            boxes = kept;
+        };
+        let connections = connect(mesh, &occupancy, &boxes, &owners, axis);
+        let pair = |edge: [usize; 2]| edge.map(|b| b as i32);
+        let parts = Parts {
+            box_center: boxes.iter().map(|b| frame.to_object(b.center())).collect(),
+            box_half_size: boxes.iter().map(|b| (b.half_size() * frame.unit).as_vec3()).collect(),
+            box_side: boxes.iter().map(|b| b.side).collect(),
+            assignment: owners,
+            tree_edges: connections.tree_edges.iter().copied().map(pair).collect(),
+            tree_parent_point: connections.points.iter().map(|p| frame.to_object(p[0])).collect(),
+            tree_child_point: connections.points.iter().map(|p| frame.to_object(p[1])).collect(),
+            edges: connections.edges.iter().copied().map(pair).collect(),
+        };
+        let stages = connections.stages.into_iter().map(|stage| stage.into_iter().map(pair).collect()).collect();
+        Ok(Self::assemble(mesh, parts, frame, &vertices, axis, mirror, stages))
     }
 
     fn assemble(
         mesh: &Mesh,
         parts: Parts,
         frame: Frame,
+        vertices: &[DVec3],
         symmetry_axis: Option<usize>,
-        pinned_axis: Option<usize>,
+        mirror: Option<MirrorMap>,
         stages: Vec<Vec<[i32; 2]>>,
     ) -> Self {
         let rows = parts.parameter_rows();
         let parameter_rows = rows.iter().max().map_or(0, |row| row + 1);
-        let vertices = frame.vertices(mesh);
-        let propagation =
-            Propagation { frame, parts: &parts, rows: &rows, vertices: &vertices, pinned_axis, stages };
+        let mirror = mirror.as_ref();
+        let propagation = Propagation { frame, parts: &parts, rows: &rows, vertices, mirror, stages };
         let basis = propagation.basis(parameter_rows);
         let field = DeformField::new(mesh.vertices().to_vec(), parameter_rows, basis);
         Self { parts, rows, parameter_rows, symmetry_axis, frame, field }

@@ -18,7 +18,8 @@ use rayon::prelude::*;
 
 use super::frame::Frame;
 use super::nearest::Nearest;
-use super::parts::Parts;
+use super::parts::{MID, Parts};
+use super::symmetry::MirrorMap;
 
 /// Follower, leader and weight: the follower's displacement moves towards the leader's.
 type Pull = (u32, u32, f32);
@@ -30,8 +31,8 @@ pub(crate) struct Propagation<'a> {
     pub(crate) rows: &'a [usize],
     /// Vertices in the frame (n).
     pub(crate) vertices: &'a [DVec3],
-    /// Axis along which mid boxes stay where they are.
-    pub(crate) pinned_axis: Option<usize>,
+    /// Symmetry to keep exactly: mid boxes do not move along its axis, mirror images move as such.
+    pub(crate) mirror: Option<&'a MirrorMap>,
     /// Boundary steps: the (leader, follower) pairs of one stage act at once, stages one after another.
     pub(crate) stages: Vec<Vec<[i32; 2]>>,
 }
@@ -54,6 +55,9 @@ impl Propagation<'_> {
             for stage in &pulls {
                 pull(values, stage, &mut moved);
             }
+            if let Some(mirror) = self.mirror {
+                symmetrise(values, mirror, axis, &mut moved);
+            }
         });
         basis
     }
@@ -69,8 +73,8 @@ impl Propagation<'_> {
             let mut moved = all[parent].clone();
             moved[self.rows[parent]] += p;
             moved[self.rows[child]] -= q;
-            if let (Some(axis), super::parts::MID) = (self.pinned_axis, parts.box_side[child]) {
-                moved.iter_mut().for_each(|t| t[axis] = 0.0);
+            if let (Some(mirror), MID) = (self.mirror, parts.box_side[child]) {
+                moved.iter_mut().for_each(|t| t[mirror.axis] = 0.0);
             }
             all[child] = moved;
         }
@@ -119,5 +123,18 @@ fn pull(values: &mut [f32], stage: &[Pull], moved: &mut Vec<f32>) {
     );
     for (&(follower, ..), change) in stage.iter().zip(moved.iter()) {
         values[follower as usize] += change;
+    }
+}
+
+/// Makes mirror images move as mirror images; what lies on the plane stays on it. `axis` is the plane's own
+/// axis of coefficients.
+fn symmetrise(values: &mut [f32], mirror: &MirrorMap, axis: usize, before: &mut Vec<f32>) {
+    before.clear();
+    before.extend_from_slice(values);
+    let sign = if axis == mirror.axis { -1.0 } else { 1.0 };
+    for (value, image) in values.iter_mut().zip(&mirror.image) {
+        if let Some(image) = image {
+            *value = 0.5 * (*value + sign * before[*image as usize]);
+        }
     }
 }
