@@ -4,15 +4,18 @@
 mod bounds;
 mod cmaes;
 mod covariance;
+mod distribution;
 mod error;
 mod exact;
 mod gauge;
+mod options;
 mod saved;
 mod stop;
 mod strategy;
 
 pub use bounds::Bounds;
-pub use cmaes::{CmaEs, CmaEsOptions};
+pub use cmaes::CmaEs;
 pub use error::SearchError;
 pub use gauge::{Gauge, KeepPlace, KeepSize};
+pub use options::CmaEsOptions;
 pub use stop::StopReason;
