@@ -80,11 +80,11 @@ fn median(mut values: Vec<usize>) -> usize {
 type Case = (&'static str, fn(&[f64]) -> f64, f64, [usize; 4]);
 
 const CASES: [Case; 6] = [
-    ("sphere", sphere, 1.5, [240, 680, 1400, 2616]),
-    ("ellipsoid", ellipsoid, 1.5, [462, 1504, 4020, 12828]),
-    ("cigar", cigar, 1.5, [462, 1680, 3970, 7956]),
-    ("tablet", tablet, 1.5, [474, 1296, 3010, 7308]),
-    ("Rosenbrock", rosenbrock, 0.0, [450, 1616, 5190, 16008]),
+    ("sphere", sphere, 1.5, [240, 680, 1400, 2604]),
+    ("ellipsoid", ellipsoid, 1.5, [462, 1504, 4020, 12804]),
+    ("cigar", cigar, 1.5, [462, 1680, 3970, 8016]),
+    ("tablet", tablet, 1.5, [474, 1296, 3010, 7368]),
+    ("Rosenbrock", rosenbrock, 0.0, [450, 1616, 5190, 16194]),
     ("rotated ellipsoid", rotated_ellipsoid, 1.5, [456, 1456, 4000, 12948]),
 ];
 
@@ -100,7 +100,6 @@ fn known_optima_are_found_as_cheaply_as_by_pycma() {
             let spared = name == "Rosenbrock" && n > 2;
             assert!(runs.len() as u64 >= if spared { needed } else { seeds }, "{name}, n = {n}: {runs:?}");
             let ours = median(runs);
-            println!("{name:18} n = {n:2}: {ours:6} evaluations, pycma {pycma:6}");
             assert!(ours as f64 <= 1.15 * pycma as f64, "{name}, n = {n}: {ours}, pycma {pycma}");
         }
     }
@@ -233,8 +232,8 @@ fn a_rotation_changes_no_cost() {
 
 #[test]
 fn scores_that_are_not_numbers_count_as_worst() {
-    // Three in five are no numbers, everywhere; about the optimum they are.
-    let holes = |x: &[f64]| match (x[0] * 1e3 + 3.5).floor().rem_euclid(5.0) {
+    // Three in seven are no numbers, everywhere; about the optimum they are.
+    let holes = |x: &[f64]| match (x[0] * 1e3 + 3.5).floor().rem_euclid(7.0) {
         0.0 => f64::NAN,
         1.0 => f64::NEG_INFINITY,
         2.0 => f64::INFINITY,
@@ -245,7 +244,7 @@ fn scores_that_are_not_numbers_count_as_worst() {
         trace(&mut search, 200, holes);
         let (x, score) = search.best().unwrap();
         assert!(score < 1e-3, "{score} from seed {seed}");
-        assert_eq!(score, sphere(x));
+        assert_eq!(score.to_bits(), sphere(x).to_bits());
     }
 }
 
@@ -289,7 +288,7 @@ fn a_saved_search_resumes_to_the_byte() {
 #[test]
 fn a_damaged_save_is_refused_in_words() {
     let mut saved = serde_json::to_value(CmaEs::new(options(3, 1.5, 0)).unwrap()).unwrap();
-    saved["mean"].as_array_mut().unwrap().pop();
+    saved["distribution"]["mean"].as_array_mut().unwrap().pop();
     let error = serde_json::from_value::<CmaEs>(saved).unwrap_err().to_string();
     assert!(error.contains("the saved search is damaged"), "{error}");
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The slider goes as far as every part stays a part, and its positions are those of the field.
+#![allow(clippy::float_cmp, reason = "limits that nothing narrows come out exactly")]
 
 use boxmorph::boxdef::DeformField;
 use boxmorph::search::{Gauge, KeepPlace, KeepSize};
@@ -18,7 +19,7 @@ fn random_scales(rng: &mut ChaCha8Rng, rows: usize) -> Vec<Vec3> {
 
 fn least_factor(scales: &[Vec3], gauge_scale: f32, alpha: f32) -> f64 {
     let factor = |c: f32| 1.0 + f64::from(alpha) * (f64::from(gauge_scale) * f64::from(c) - 1.0);
-    scales.iter().flat_map(|c| c.to_array()).map(factor).fold(f64::INFINITY, f64::min)
+    scales.iter().flat_map(Vec3::to_array).map(factor).fold(f64::INFINITY, f64::min)
 }
 
 #[test]

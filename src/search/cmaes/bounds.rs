@@ -23,7 +23,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{error::SearchError, exact};
 
-/// Width of the bend at a bound, as a fraction of the range between both bounds.
+/// Width of the bend at a bound: the fraction of the range between both bounds or, where the other side
+/// is open, of 1 + |bound|.
 const BEND: f64 = 0.05;
 
 /// The greatest standard deviation, as a fraction of the range between both bounds: beyond it, samples
@@ -99,12 +100,16 @@ impl BoundTransform {
 
 impl Fold {
     fn new(lower: f64, upper: f64) -> Result<Self, SearchError> {
-        // Written so that NaN is refused too.
-        if !(lower < upper) || lower == f64::INFINITY || upper == f64::NEG_INFINITY {
+        let room = lower < upper && lower != f64::INFINITY && upper != f64::NEG_INFINITY;
+        if !room {
             return Err(SearchError::EmptyBounds { lower, upper });
         }
         let range = upper - lower;
-        let bend = |bound: f64| if range.is_finite() { BEND * range } else { BEND * (1.0 + bound.abs()) };
+        let bend = |bound: f64| match (bound.is_finite(), range.is_finite()) {
+            (false, _) => 0.0,
+            (true, false) => BEND * (1.0 + bound.abs()),
+            (true, true) => BEND * range,
+        };
         Ok(Self { lower, upper, lower_bend: bend(lower), upper_bend: bend(upper) })
     }
 

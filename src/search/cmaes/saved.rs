@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! What of a search is written down, and how it is taken up again.
 
-use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    cmaes::{Candidate, CmaEs, CmaEsOptions},
-    covariance::Covariance,
+    ask_tell::{Candidate, CmaEs},
+    distribution::Distribution,
     error::SearchError,
     exact,
+    options::CmaEsOptions,
     stop::{History, StopReason},
 };
 
@@ -18,21 +18,7 @@ pub(super) struct Saved {
     options: CmaEsOptions,
     /// Random words drawn so far.
     drawn: u64,
-    #[serde(with = "exact")]
-    mean: DVector<f64>,
-    #[serde(with = "exact")]
-    sigma: f64,
-    #[serde(with = "exact")]
-    covariance: DMatrix<f64>,
-    #[serde(with = "exact")]
-    axes: DMatrix<f64>,
-    #[serde(with = "exact")]
-    lengths: DVector<f64>,
-    decomposed_at: usize,
-    #[serde(with = "exact")]
-    sigma_path: DVector<f64>,
-    #[serde(with = "exact")]
-    path: DVector<f64>,
+    distribution: Distribution,
     generation: usize,
     evaluations: usize,
     pending: Vec<Candidate>,
@@ -49,14 +35,7 @@ impl From<CmaEs> for Saved {
         Self {
             drawn: search.rng.get_word_pos() as u64,
             options: search.options,
-            mean: search.mean,
-            sigma: search.sigma,
-            covariance: search.covariance.matrix,
-            axes: search.covariance.axes,
-            lengths: search.covariance.lengths,
-            decomposed_at: search.covariance.decomposed_at,
-            sigma_path: search.sigma_path,
-            path: search.path,
+            distribution: search.distribution,
             generation: search.generation,
             evaluations: search.evaluations,
             pending: search.pending,
@@ -73,13 +52,11 @@ impl TryFrom<Saved> for CmaEs {
 
     fn try_from(saved: Saved) -> Result<Self, SearchError> {
         let mut search = Self::new(saved.options)?;
-        let n = search.mean.len();
-        let vectors = [&saved.mean, &saved.lengths, &saved.sigma_path, &saved.path];
-        let matrices = [&saved.covariance, &saved.axes];
-        if vectors.iter().any(|v| v.len() != n) || matrices.iter().any(|m| m.nrows() != n) {
+        let n = search.options.coordinates();
+        if !saved.distribution.fits(n) {
             return Err(SearchError::DamagedState("its arrays do not fit its start"));
         }
-        let fits = |candidate: &Candidate| candidate.x.len() == n && candidate.step.len() == n;
+        let fits = |candidate: &Candidate| candidate.x.len() == n && candidate.step.fits(n);
         let told = saved.pending.is_empty() || saved.pending.len() == search.population();
         if !told || !saved.pending.iter().all(fits) {
             return Err(SearchError::DamagedState("its candidates do not fit its start"));
@@ -94,16 +71,7 @@ impl TryFrom<Saved> for CmaEs {
             return Err(SearchError::DamagedState("its history has gaps"));
         }
         search.rng.set_word_pos(u128::from(saved.drawn));
-        search.mean = saved.mean;
-        search.sigma = saved.sigma;
-        search.covariance = Covariance {
-            matrix: saved.covariance,
-            axes: saved.axes,
-            lengths: saved.lengths,
-            decomposed_at: saved.decomposed_at,
-        };
-        search.sigma_path = saved.sigma_path;
-        search.path = saved.path;
+        search.distribution = saved.distribution;
         search.generation = saved.generation;
         search.evaluations = saved.evaluations;
         search.pending = saved.pending;

@@ -4,22 +4,28 @@
 //! Products are plain loops in a fixed order: the matrices are small, and the same bytes come out on any
 //! number of threads.
 
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, Matrix, SymmetricEigen};
+use serde::{Deserialize, Serialize};
+
+use super::exact;
 
 /// Rounds of the eigen decomposition for each coordinate before it is given up.
 const ROUNDS_PER_COORDINATE: usize = 100;
 
 /// The covariance and its last decomposition.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Covariance {
     /// C, exactly symmetric.
-    pub(super) matrix: DMatrix<f64>,
+    #[serde(with = "exact")]
+    matrix: DMatrix<f64>,
     /// B: one unit axis a column.
-    pub(super) axes: DMatrix<f64>,
+    #[serde(with = "exact")]
+    axes: DMatrix<f64>,
     /// D: standard deviation along each axis, before σ.
-    pub(super) lengths: DVector<f64>,
+    #[serde(with = "exact")]
+    lengths: DVector<f64>,
     /// Generation of the decomposition.
-    pub(super) decomposed_at: usize,
+    decomposed_at: usize,
 }
 
 impl Covariance {
@@ -31,6 +37,16 @@ impl Covariance {
             lengths: DVector::from_element(n, 1.0),
             decomposed_at: 0,
         }
+    }
+
+    /// Whether every part has `n` coordinates.
+    pub(super) fn fits(&self, n: usize) -> bool {
+        self.matrix.nrows() == n && self.axes.nrows() == n && self.lengths.len() == n
+    }
+
+    /// Generation of the last decomposition.
+    pub(super) fn decomposed_at(&self) -> usize {
+        self.decomposed_at
     }
 
     /// B·D·z: a sample of N(0, C) from one of N(0, I).
@@ -90,12 +106,17 @@ impl Covariance {
             }
             _ => {
                 self.matrix.fill(0.0);
-                let axes: Vec<DVector<f64>> = self.axes.column_iter().map(|axis| axis.into_owned()).collect();
+                let axes: Vec<DVector<f64>> = self.axes.column_iter().map(Matrix::into_owned).collect();
                 let squares: Vec<f64> = self.lengths.iter().map(|length| length * length).collect();
                 self.update(1.0, squares.into_iter().zip(&axes));
                 false
             }
         }
+    }
+
+    /// The greatest standard deviation along any axis, before σ.
+    pub(super) fn longest(&self) -> f64 {
+        self.lengths.max()
     }
 
     /// Condition number of C by the last decomposition.
