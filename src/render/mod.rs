@@ -10,6 +10,7 @@ mod composite;
 mod cpu;
 mod error;
 mod frame;
+mod gpu;
 mod raster;
 mod scene;
 mod shading;
@@ -79,14 +80,22 @@ pub fn open(
 ) -> Result<Box<dyn Renderer>, RenderError> {
     let scene = Scene::new(field, triangles, views, size)?;
     match backend {
+        Backend::Auto if gpu::has_real_gpu() => Ok(match gpu::GpuRenderer::new(scene) {
+            Ok(renderer) => Box::new(renderer),
+            Err((_, scene)) => Box::new(cpu::CpuRenderer::new(scene)),
+        }),
         Backend::Auto | Backend::Cpu => Ok(Box::new(cpu::CpuRenderer::new(scene))),
-        Backend::Gpu => Err(RenderError::NoAdapter { tried: "none".to_owned() }),
+        Backend::Gpu => match gpu::GpuRenderer::new(scene) {
+            Ok(renderer) => Ok(Box::new(renderer)),
+            Err((error, _)) => Err(error),
+        },
     }
 }
 
 /// Renders a shape as it is: RGBA8, views × size × size × 4.
 ///
-/// `positions` are in object coordinates, z up.
+/// `positions` are in object coordinates, z up. `Auto` is the CPU here: it has drawn one shape before a GPU is
+/// open.
 pub fn render_positions(
     backend: Backend,
     positions: &[Vec3],
@@ -94,6 +103,7 @@ pub fn render_positions(
     views: &[View],
     size: u32,
 ) -> Result<Vec<u8>, RenderError> {
+    let backend = if backend == Backend::Auto { Backend::Cpu } else { backend };
     let field = Arc::new(DeformField::new(positions.to_vec(), 0, Vec::new()));
     let mut renderer = open(backend, field, triangles.into(), views, size)?;
     let mut out = Vec::new();

@@ -87,7 +87,7 @@ impl Raster {
             let [a, b, c] = corners.map(|i| self.cells[i as usize]);
             let differ = (a ^ b) | (a ^ c);
             self.candidates[count] = index;
-            count += usize::from((differ >> 16 != 0) & (differ & 0xFFFF != 0));
+            count += usize::from(differ >> 16 != 0) & usize::from(differ & 0xFFFF != 0);
         }
         self.candidates.truncate(count);
     }
