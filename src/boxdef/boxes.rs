@@ -58,12 +58,15 @@ pub(crate) fn part_boxes(
             let (a, b) = (mirrored(a, axis), mirrored(b, axis));
             (low, high) = (low.min(a.min(b)), high.max(a.max(b)));
         }
-        // No surface in this share of space: the cells themselves.
+        let bound = |cells: [usize; 3]| {
+            DVec3::from_array(std::array::from_fn(|axis| occupancy.boundary(axis, cells[axis])))
+        };
+        let (least, most) = (bound(piece.tight.low), bound(piece.tight.high));
+        // What reaches into the domain by no more than rounding fills no cell; and a domain inside a solid
+        // has cells but no surface.
+        (low, high) = (low.max(least), high.min(most));
         if low.cmpgt(high).any() {
-            let bound = |cells: [usize; 3]| {
-                DVec3::from_array(std::array::from_fn(|axis| occupancy.boundary(axis, cells[axis])))
-            };
-            (low, high) = (bound(piece.tight.low), bound(piece.tight.high));
+            (low, high) = (least, most);
         }
         boxes.push(PartBox { side: piece.side, domain: piece.domain, low, high, twin: index });
     }

@@ -11,7 +11,8 @@
 //!   more than they do between the slabs next to them. A plain box, a sphere or a cone stays whole.
 //! - Empty layers part a box at once, however narrow they are: separate legs are separate parts.
 //! - Both ends are scanned: a thin top at the far end is found as well as one at the near end.
-//! - The cut is moved to the very layer where the area steps.
+//! - The cut is moved to the layer, within a slab, where two prisms hold the piece best.
+//! - The score is also weighed by the share of the box's volume that the pieces' boxes take up.
 //! - A piece whose longest side is short is not worth a box of its own.
 //! - All limits are whole cells, so that no rounding decides between two results.
 
@@ -20,8 +21,6 @@ use super::parts::{MID, POS};
 
 /// Cells to a slab: 0.1 of the frame's unit.
 const SLAB: usize = 10;
-/// Layers on either side of a cut that are compared to place it exactly.
-const STEP: usize = 2;
 /// Cells to a bin of the projected area: 0.04 of the frame's unit.
 const BIN: usize = 4;
 /// Added to an axis' length in the score, so that short axes do not score without limit.
@@ -88,11 +87,11 @@ impl Splitter<'_> {
         let longest = piece.tight.longest() as f64;
         let mut cuts = Vec::new();
         for axis in 0..3 {
-            let layers = self.layers(&piece.tight, axis);
-            self.gap_cuts(piece, axis, &layers, &mut cuts);
+            let profile = Profile::of(self.occupancy, &piece.tight, axis);
+            self.gap_cuts(piece, axis, &profile.layers, &mut cuts);
             if piece.tight.extent(axis) as f64 > LEAST_ASPECT * longest {
                 for from_high in [false, true] {
-                    self.slab_cuts(piece, axis, from_high, &layers, &mut cuts);
+                    self.slab_cuts(piece, axis, from_high, &profile, &mut cuts);
                 }
             }
         }
@@ -127,13 +126,6 @@ impl Splitter<'_> {
         [inner, part(POS, middle + away, high)].into_iter().flatten().collect()
     }
 
-    /// Number of filled cells of each layer along an axis.
-    fn layers(&self, tight: &CellBox, axis: usize) -> Vec<u32> {
-        let mut counts = vec![0; tight.extent(axis)];
-        self.occupancy.for_each_filled(tight, |cell| counts[cell[axis] - tight.low[axis]] += 1);
-        counts
-    }
-
     /// Cuts in the middle of runs of empty layers.
     fn gap_cuts(&self, piece: &Piece, axis: usize, layers: &[u32], cuts: &mut Vec<Cut>) {
         let low = piece.tight.low[axis];
@@ -155,7 +147,7 @@ impl Splitter<'_> {
     }
 
     /// Cuts between slabs, where the area steps.
-    fn slab_cuts(&self, piece: &Piece, axis: usize, from_high: bool, layers: &[u32], cuts: &mut Vec<Cut>) {
+    fn slab_cuts(&self, piece: &Piece, axis: usize, from_high: bool, profile: &Profile, cuts: &mut Vec<Cut>) {
         let count = piece.tight.extent(axis) / SLAB;
         if count < 2 {
             return;
@@ -173,7 +165,7 @@ impl Splitter<'_> {
             if slope - here.abs() > WORTH.ln() {
                 continue;
             }
-            let at = sharpen(layers, low + i * SLAB - piece.tight.low[axis], here) + piece.tight.low[axis];
+            let at = profile.sharpen(low + i * SLAB - piece.tight.low[axis]) + piece.tight.low[axis];
             if !self.leaves_sliver(piece, axis, at) {
                 cuts.push(Cut { axis, at, score: (-here.abs()).exp() / (length + SCORE_LENGTH) });
             }
@@ -208,19 +200,49 @@ fn cut_count(symmetry: Option<usize>, piece: &Piece, cut: Cut) -> u32 {
     if piece.side == MID && symmetry == Some(cut.axis) { 2 } else { 1 }
 }
 
-/// The layer before which the number of filled cells steps most, up or down as `change` says, within a slab
-/// either way of `at`; of equals the one nearest to `at`.
-fn sharpen(layers: &[u32], at: usize, change: f64) -> usize {
-    let sum = |range: std::ops::Range<usize>| layers[range].iter().map(|&c| f64::from(c)).sum::<f64>();
-    let step = |k: usize| change.signum() * (sum(k..k + STEP) - sum(k - STEP..k));
-    let from = (at - (SLAB - 1)).max(STEP);
-    let to = (at + SLAB - 1).min(layers.len() - STEP);
-    let mut best = at;
-    for k in from..=to {
-        let (new, old) = (step(k), step(best));
-        if new > old || (new == old && k.abs_diff(at) < best.abs_diff(at)) {
-            best = k;
+/// A piece seen along an axis, layer by layer.
+struct Profile {
+    /// Number of filled cells of each layer.
+    layers: Vec<u32>,
+    /// Area seen of all layers before each layer (one more than there are layers).
+    before: Vec<u64>,
+    /// Area seen of each layer and all after it (one more than there are layers).
+    from: Vec<u64>,
+}
+
+impl Profile {
+    fn of(occupancy: &Occupancy, cells: &CellBox, axis: usize) -> Self {
+        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+        let count = cells.extent(axis);
+        let mut layers = vec![0; count];
+        // First and last filled layer of each column along the axis.
+        let mut columns = vec![(usize::MAX, 0); cells.extent(u) * cells.extent(v)];
+        occupancy.for_each_filled(cells, |cell| {
+            let layer = cell[axis] - cells.low[axis];
+            layers[layer] += 1;
+            let column = &mut columns[(cell[u] - cells.low[u]) * cells.extent(v) + cell[v] - cells.low[v]];
+            *column = (column.0.min(layer), column.1.max(layer));
+        });
+        let (mut before, mut from) = (vec![0; count + 1], vec![0; count + 1]);
+        for &(first, last) in columns.iter().filter(|column| column.0 != usize::MAX) {
+            before[first + 1] += 1;
+            from[last] += 1;
         }
+        for layer in 0..count {
+            before[layer + 1] += before[layer];
+            from[count - 1 - layer] += from[count - layer];
+        }
+        Self { layers, before, from }
     }
-    best
+
+    /// Volume of the two prisms, each with the outline of its side of a cut, that hold the piece.
+    fn prisms(&self, at: usize) -> u64 {
+        self.before[at] * at as u64 + self.from[at] * (self.layers.len() - at) as u64
+    }
+
+    /// The cut within a slab either way of `at` with the least prisms; of equals the one nearest to `at`.
+    fn sharpen(&self, at: usize) -> usize {
+        let candidates = (at + 1).saturating_sub(SLAB).max(1)..(at + SLAB).min(self.layers.len());
+        candidates.min_by_key(|&k| (self.prisms(k), k.abs_diff(at))).unwrap_or(at)
+    }
 }

@@ -119,7 +119,9 @@ impl Raster {
     fn project(&mut self, camera: &Camera, frame: Frame, positions: &[Vec3]) {
         let half = (self.side as i32 * SUB) as f32 * 0.5;
         let focal = half / TAN_HALF_FOV;
-        let origin = half - SUB as f32 * 0.5 + 0.5;
+        // Adding it leaves no bits below one: rounds to nearest, and cheaper than a conversion.
+        let whole = 12_582_912.0_f32;
+        let origin = whole + half - SUB as f32 * 0.5;
         let across = camera.right * (focal * frame.inverse_radius);
         let down = camera.up * (-focal * frame.inverse_radius);
         let back = camera.back * frame.inverse_radius;
@@ -127,8 +129,7 @@ impl Raster {
         self.projected.extend(positions.iter().map(|&position| {
             let p = position - frame.centre;
             let nearness = 1.0 / (DISTANCE - p.dot(back));
-            // Positive for all that is in view, so that truncation rounds to nearest.
-            let snap = |v: f32| (v + origin) as i32;
+            let snap = |v: f32| (v + origin).to_bits() as i32 - whole.to_bits() as i32;
             Projected { x: snap(p.dot(across) * nearness), y: snap(p.dot(down) * nearness), nearness }
         }));
         self.cells.clear();

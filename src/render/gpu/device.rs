@@ -4,9 +4,10 @@
 use crate::render::RenderError;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// The interfaces asked for adapters, and how they are called in the error.
-const BACKENDS: wgpu::Backends =
-    wgpu::Backends::VULKAN.union(wgpu::Backends::METAL).union(wgpu::Backends::DX12).union(wgpu::Backends::GL);
+/// The interfaces asked for adapters, in turn: OpenGL only where a GPU is insisted on and nothing else has one,
+/// since it shares a process with Blender's own OpenGL.
+const NATIVE: wgpu::Backends =
+    wgpu::Backends::VULKAN.union(wgpu::Backends::METAL).union(wgpu::Backends::DX12);
 const TRIED: &str = if cfg!(target_os = "macos") {
     "Metal"
 } else if cfg!(windows) {
@@ -47,7 +48,9 @@ pub(super) struct Gpu {
 impl Gpu {
     /// Opens the best adapter: discrete, then integrated, then virtual, then software.
     pub fn open() -> Result<Self, RenderError> {
-        let adapter = best_adapter().ok_or_else(|| RenderError::NoAdapter { tried: TRIED.to_owned() })?;
+        let adapter = best_adapter(NATIVE)
+            .or_else(|| best_adapter(wgpu::Backends::GL))
+            .ok_or_else(|| RenderError::NoAdapter { tried: TRIED.to_owned() })?;
         let info = adapter.get_info();
         let descriptor = wgpu::DeviceDescriptor { required_limits: adapter.limits(), ..Default::default() };
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
@@ -67,7 +70,7 @@ impl Gpu {
 pub(in crate::render) fn has_real_gpu() -> bool {
     static ANSWER: OnceLock<bool> = OnceLock::new();
     *ANSWER.get_or_init(|| {
-        super::guarded(|| Ok(best_adapter().is_some_and(|adapter| rank(&adapter) < SOFTWARE)))
+        super::guarded(|| Ok(best_adapter(NATIVE).is_some_and(|adapter| rank(&adapter) < SOFTWARE)))
             .unwrap_or(false)
     })
 }
@@ -84,15 +87,14 @@ fn rank(adapter: &wgpu::Adapter) -> u8 {
     }
 }
 
-fn best_adapter() -> Option<wgpu::Adapter> {
+fn best_adapter(backends: wgpu::Backends) -> Option<wgpu::Adapter> {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
-    descriptor.backends = BACKENDS;
+    descriptor.backends = backends;
     let instance = wgpu::Instance::new(descriptor);
     let needed = wgpu::DownlevelFlags::COMPUTE_SHADERS | wgpu::DownlevelFlags::VERTEX_STORAGE;
-    pollster::block_on(instance.enumerate_adapters(BACKENDS))
+    pollster::block_on(instance.enumerate_adapters(backends))
         .into_iter()
         .filter(|adapter| adapter.get_downlevel_capabilities().flags.contains(needed))
         .filter(|adapter| adapter.limits().max_storage_buffers_per_shader_stage >= STORAGE_BUFFERS)
-        // Of equal ones the first, and OpenGL after all else.
-        .min_by_key(|adapter| (rank(adapter), adapter.get_info().backend == wgpu::Backend::Gl))
+        .min_by_key(rank)
 }
