@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The command line: `blender [-b] file.blend --command boxmorph deform --prompt "a bar stool"`.
 
-Exit codes: 0 done, 1 failed, 2 wrong usage. Each sub-command is a function of its parsed arguments and returns one.
+Exit codes: 0 done, 1 failed, 2 wrong usage. Each sub-command is a function of its parsed arguments and
+returns one.
 """
 
 import argparse
@@ -54,20 +55,30 @@ def _add_deform(commands):
     deform.add_argument("--prompt", required=True, help="what the object should become")
     deform.add_argument("--object", metavar="NAME", help="the object to deform (default: the active one)")
     deform.add_argument("--preset", choices=[item[0] for item in PRESETS], default="standard")
-    deform.add_argument("--seed", type=_seed, default=0, help="another seed gives another result (default: 0)")
+    deform.add_argument(
+        "--seed", type=_seed, default=0, help="another seed gives another result (default: 0)"
+    )
     deform.add_argument("--splits", choices=[item[0] for item in SPLITS], default="auto")
     deform.add_argument("--symmetry", choices=[item[0] for item in SYMMETRY], default="auto")
-    deform.add_argument("--renderer", choices=[item[0] for item in RENDERERS], help="default: as in the preferences")
+    deform.add_argument(
+        "--renderer", choices=[item[0] for item in RENDERERS], help="default: as in the preferences"
+    )
     deform.add_argument(
         "--keyframes",
         type=_keyframes,
         metavar="FROM:TO[:VALUE:VALUE]",
         help="keyframe the spectrum over these frames, from value 0 to 1 or those given",
     )
-    deform.add_argument("--output", metavar="FILE.blend", help="default: FILE-<prompt>.blend beside FILE.blend")
+    deform.add_argument(
+        "--output", metavar="FILE.blend", help="default: FILE-<prompt>.blend beside FILE.blend"
+    )
     deform.add_argument("--report", metavar="FILE.json", help="write a report of the search")
-    deform.add_argument("--sheet", metavar="FILE.png", help="write the four views before (above) and after (below)")
-    deform.add_argument("--spectrum", metavar="FILE.png", help="write one view at slider values from -1 to 1.5")
+    deform.add_argument(
+        "--sheet", metavar="FILE.png", help="write the four views before (above) and after (below)"
+    )
+    deform.add_argument(
+        "--spectrum", metavar="FILE.png", help="write one view at slider values from -1 to 1.5"
+    )
     deform.set_defaults(run=_deform)
 
 
@@ -116,11 +127,15 @@ def _opened_file():
     """Return the path of the open file. Raises Refusal where Blender opened its startup file instead."""
     if bpy.data.filepath:
         return bpy.data.filepath
-    before = sys.argv[: next((i for i, word in enumerate(sys.argv) if word in ("-c", "--command")), len(sys.argv))]
+    before = sys.argv[
+        : next((i for i, word in enumerate(sys.argv) if word in ("-c", "--command")), len(sys.argv))
+    ]
     named = [word for word in before[1:] if word.endswith(".blend")]
     if named:
         raise Refusal(f"Blender could not open {named[-1]}; nothing was done")
-    print("boxmorph: name a file before --command: blender -b FILE.blend --command boxmorph …", file=sys.stderr)
+    print(
+        "boxmorph: name a file before --command: blender -b FILE.blend --command boxmorph …", file=sys.stderr
+    )
     raise SystemExit(USAGE)
 
 
@@ -143,7 +158,9 @@ def _default_output(source, prompt):
 
 
 def _require_writable(path):
-    """Raise Refusal unless a file at `path` could be written; checked by doing it, since permissions mislead."""
+    """Raise Refusal unless a file at `path` could be written; checked by doing it, since permissions
+    mislead.
+    """
     folder = os.path.dirname(os.path.abspath(path))
     try:
         if os.path.isdir(path):
@@ -208,7 +225,9 @@ def _keyframes(text):
         frames = [int(part) for part in parts[:2]]
         values = [float(part) for part in parts[2:]]
     except ValueError:
-        raise argparse.ArgumentTypeError(f"“{text}” is not FROM:TO, such as 1:60, or FROM:TO:VALUE:VALUE") from None
+        raise argparse.ArgumentTypeError(
+            f"“{text}” is not FROM:TO, such as 1:60, or FROM:TO:VALUE:VALUE"
+        ) from None
     if frames[0] == frames[1]:
         raise argparse.ArgumentTypeError("the two frames are one and the same")
     return (*frames, *values)

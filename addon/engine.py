@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The way to the Rust module `boxmorph`: imported at first use, with the preferences applied, guides kept open."""
+"""The way to the Rust module `boxmorph`: imported at first use, with the preferences applied, guides kept
+open.
+"""
 
 import os
 import re
@@ -36,8 +38,8 @@ def library():
         import boxmorph
     except ImportError as error:
         raise Refusal(
-            f"Boxmorph's compiled module cannot be loaded ({error}). Install the extension's zip that is made "
-            "for this operating system and processor"
+            f"Boxmorph's compiled module cannot be loaded ({error}). Install the extension's zip for this "
+            "operating system and processor"
         ) from error
     return boxmorph
 
@@ -72,14 +74,16 @@ def clean_prompt(text):
         raise Refusal("The prompt is empty. Type what the object should become, such as: a bar stool")
     if len(prompt) > PROMPT_LIMIT:
         raise Refusal(
-            f"The prompt has {len(prompt)} characters, and {PROMPT_LIMIT} is the most a guide can make use of. "
+            f"The prompt has {len(prompt)} characters, and {PROMPT_LIMIT} is the most a guide can use. "
             "Say it in a few words"
         )
     return prompt
 
 
 def unknown_words(guide, prompt):
-    """Return the words of `prompt` that the guide does not know. Raises Refusal if it knows none that counts."""
+    """Return the words of `prompt` that the guide does not know. Raises Refusal if it knows none that
+    counts.
+    """
     unknown = list(guide.unknown_words(prompt))
     lowered = {word.casefold() for word in unknown}
     words = [word for word in re.findall(r"[^\W_]+", prompt.casefold()) if word not in _FILLER]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures: the four views the guide sees, contact sheets and strips of the spectrum, as Blender images and PNG files.
+"""Pictures: the four views the guide sees, contact sheets and strips of the spectrum, as Blender images and
+PNG files.
 
 Arrays are (h,w,3) uint8, first row on top.
 """
@@ -30,7 +31,9 @@ def stack(rows):
 
 
 def spectrum_strip(boxmorph, rest, vertices, triangles, alphas, size=224, renderer="auto"):
-    """Return one view of rest + α·(vertices − rest) for each α, side by side, (size, len(alphas)·size, 3) uint8."""
+    """Return one view of rest + α·(vertices − rest) for each α, side by side, (size, len(alphas)·size, 3)
+    uint8.
+    """
     frames = []
     for alpha in alphas:
         shape = rest + np.float32(alpha) * (vertices - rest)

@@ -8,10 +8,11 @@ from .errors import Refusal
 
 
 def keyframe_spectrum(key, frame_from, frame_to, alpha_from=0.0, alpha_to=1.0):
-    """Key the value of shape key `key` from `alpha_from` at `frame_from` to `alpha_to` at `frame_to`, linearly.
+    """Key the value of shape key `key` from `alpha_from` at `frame_from` to `alpha_to` at `frame_to`,
+    linearly.
 
-    Keyframes that lay between the two frames are replaced; others stay. Raises Refusal for frames that are one and
-    the same, and for values that the key's slider cannot take.
+    Keyframes that lay between the two frames are replaced; others stay. Raises Refusal for frames that are
+    one and the same, and for values that the key's slider cannot take.
     """
     if frame_from == frame_to:
         raise Refusal(f"The spectrum needs two different frames, and both are {frame_from}")
@@ -33,7 +34,9 @@ def keyframe_spectrum(key, frame_from, frame_to, alpha_from=0.0, alpha_to=1.0):
     for frame, alpha in ((frame_from, alpha_from), (frame_to, alpha_to)):
         key.value = alpha
         if not key.keyframe_insert("value", frame=frame):
-            raise Refusal(f"Blender refused a keyframe on “{key.name}”; its animation may be linked or locked")
+            raise Refusal(
+                f"Blender refused a keyframe on “{key.name}”; its animation may be linked or locked"
+            )
     curve = _curve(keys, path)
     for point in curve.keyframe_points:
         if first <= point.co.x < last:
@@ -54,7 +57,9 @@ def _curve(keys, path):
 
 
 def _curves(keys):
-    """Return the F-curves of a Key data-block, or None without animation: slotted actions since Blender 4.4."""
+    """Return the F-curves of a Key data-block, or None without animation: slotted actions since Blender
+    4.4.
+    """
     animation = keys.animation_data
     if animation is None or animation.action is None:
         return None

@@ -54,7 +54,9 @@ def deformable(obj):
 
 
 def object_arrays(obj, context):
-    """Return the ObjectArrays of a deformable object. Raises Refusal for a mesh that has no usable surface."""
+    """Return the ObjectArrays of a deformable object. Raises Refusal for a mesh that has no usable
+    surface.
+    """
     base = basis_positions(obj.data)
     _require_finite(base, obj)
     shown = [modifier for modifier in obj.modifiers if modifier.show_viewport]
@@ -121,7 +123,9 @@ def mesh_triangles(mesh):
 
 @contextmanager
 def _as_modelled(obj, context):
-    """Give the evaluated mesh of `obj` with its Basis pinned and its posing modifiers off; undo both afterwards."""
+    """Give the evaluated mesh of `obj` with its Basis pinned and its posing modifiers off; undo both
+    afterwards.
+    """
     if obj.name not in context.view_layer.objects:
         raise Refusal(
             f"“{obj.name}” is not in the view layer “{context.view_layer.name}”, so its modifiers cannot be "
@@ -162,13 +166,17 @@ def _require_finite(positions, obj):
 def _require_surface(arrays, obj):
     _require_finite(arrays.vertices, obj)
     if len(arrays.triangles) == 0:
-        raise Refusal(f"The mesh of “{obj.name}” has no faces, so there is nothing to see or to split into parts")
+        raise Refusal(
+            f"The mesh of “{obj.name}” has no faces, so there is nothing to see or to split into parts"
+        )
     corners = arrays.vertices[arrays.triangles].astype(np.float64)
     corners -= corners.min(axis=(0, 1))
     size = corners.max()
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     if size == 0.0 or np.linalg.norm(normals, axis=1).sum() <= 1e-9 * size * size:
-        raise Refusal(f"The faces of “{obj.name}” have no area, so there is nothing to see or to split into parts")
+        raise Refusal(
+            f"The faces of “{obj.name}” have no area, so there is nothing to see or to split into parts"
+        )
 
 
 def object_by_uid(uid, name):

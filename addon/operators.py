@@ -88,7 +88,9 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         if search is None:
             self._clear(context)
             return {"CANCELLED"}
-        if event.value == "PRESS" and (event.type == "ESC" or (event.type == "Z" and (event.ctrl or event.oskey))):
+        if event.value == "PRESS" and (
+            event.type == "ESC" or (event.type == "Z" and (event.ctrl or event.oskey))
+        ):
             return self._give_up(context, "Cancelled; the object is as it was")
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
@@ -202,7 +204,9 @@ class BOXMORPH_OT_cancel(bpy.types.Operator):
 class _OnOutcome:
     """Shared by operators on one outcome of the active object, named by `key`, else the active shape key."""
 
-    key: StringProperty(name="Shape Key", description="Name of the outcome; empty: the active one", options={"HIDDEN"})
+    key: StringProperty(
+        name="Shape Key", description="Name of the outcome; empty: the active one", options={"HIDDEN"}
+    )
 
     @classmethod
     def poll(cls, context):
@@ -272,7 +276,9 @@ class BOXMORPH_OT_remove_outcome(_OnOutcome, bpy.types.Operator):
 
 
 class BOXMORPH_OT_show_views(bpy.types.Operator):
-    """Render the four views that the guide sees of the active object as it is now, as the image Boxmorph Views"""
+    """Render the four views that the guide sees of the active object as it is now, as the image Boxmorph
+    Views
+    """
 
     bl_idname = "boxmorph.show_views"
     bl_label = "Show Views"

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sidebar tab "Boxmorph": prompt, button, progress, outcomes, keyframes, views, settings of the search."""
+"""The sidebar tab "Boxmorph": prompt, button, progress, outcomes, keyframes, views, settings of the
+search.
+"""
 
 import bpy
 

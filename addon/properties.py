@@ -50,7 +50,8 @@ class BoxmorphSettings(SearchProperties, bpy.types.PropertyGroup):
     frame_to: IntProperty(name="To Frame", description="Frame of the second keyframe", default=60)
     alpha_from: FloatProperty(
         name="From Value",
-        description="Slider value at the first frame: 0 is the object as it was, 1 the prompt, below 0 away from it",
+        description="Slider value at the first frame: 0 is the object as it was, 1 the prompt, "
+        "below 0 away from it",
         soft_min=-1.0,
         soft_max=2.0,
         default=0.0,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One search, from an object and a prompt to a kept shape key; the same for the panel, scripts and the command line.
+"""One search, from an object and a prompt to a kept shape key; the same for the panel, scripts and the
+command line.
 
 A Search is polled: the work runs on threads of the Rust library, and nothing here waits unless asked to.
 """
@@ -17,7 +18,9 @@ from .shape_key import Trial
 class Search:
     """A running search on one object. Raises Refusal at once for anything that cannot work."""
 
-    def __init__(self, context, obj, prompt, preset="standard", seed=0, splits="auto", symmetry="auto", renderer=None):
+    def __init__(
+        self, context, obj, prompt, preset="standard", seed=0, splits="auto", symmetry="auto", renderer=None
+    ):
         self.prompt = engine.clean_prompt(prompt)
         mesh_io.deformable(obj)
         self.arrays = mesh_io.object_arrays(obj, context)
@@ -55,7 +58,7 @@ class Search:
             notes.append(f"The guide does not know {words} and goes by the other words")
         if self.arrays.left_out:
             notes.append(
-                f"Searching on the object without {', '.join(self.arrays.left_out)}: parts are found on its rest shape"
+                f"Searching on the rest shape, without {', '.join(self.arrays.left_out)}, for parts are found there"
             )
         if self.shared_by > 1:
             notes.append(f"The mesh has {self.shared_by} users, and all of them get the shape key")

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Outcomes as shape keys: written relative to the Basis, named after the prompt, recorded on the Key data-block.
+"""Outcomes as shape keys: written relative to the Basis, named after the prompt, recorded on the Key
+data-block.
 
-A key that Boxmorph made is known by its record: JSON in the custom property `boxmorph` of the mesh's Key data-block,
-from key name to report. Only such a key is ever replaced; a key of the artist's own that bears the same name stays,
-and Blender numbers ours.
+A key that Boxmorph made is known by its record: JSON in the custom property `boxmorph` of the mesh's Key
+data-block, from key name to report. Only such a key is ever replaced; a key of the artist's own that bears
+the same name stays, and Blender numbers ours.
 """
 
 import json
@@ -69,8 +70,8 @@ def _store(keys, stored):
 class Trial:
     """A shape key on trial: shows the best so far, and is either kept or taken back without a trace.
 
-    Holds names and copies only, never Blender pointers, so that it survives undo, rename and file loading. The object
-    is handed in again at each call.
+    Holds names and copies only, never Blender pointers, so that it survives undo, rename and file loading.
+    The object is handed in again at each call.
     """
 
     def __init__(self, obj, prompt):

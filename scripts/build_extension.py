@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""Builds the installable extension, dist/boxmorph-<version>-<platform>.zip, from addon/ and the wheels in dist/.
+"""Builds the installable extension, dist/boxmorph-<version>-<platform>.zip, from addon/ and the wheels in
+dist/.
 
     scripts/build_extension.py [--wheel FILE ...] [--output-dir DIR]
 
-One zip for each platform that has a wheel. The same inputs give the same bytes. Before anything is written, the
-manifest is held against what Blender itself does not check: see `lint`. Exit codes: 0 done, 1 a fault in the inputs.
+One zip for each platform that has a wheel. The same inputs give the same bytes. Before anything is written,
+the manifest is held against what Blender itself does not check: see `lint`. Exit codes: 0 done, 1 a fault in
+the inputs.
 """
 
 import argparse
@@ -48,13 +50,17 @@ def lint(manifest, crate_version, wheels):
     faults = []
     version = manifest.get("version")
     if version != crate_version:
-        faults.append(f"addon/blender_manifest.toml has version {version}, but Cargo.toml has {crate_version}")
+        faults.append(
+            f"addon/blender_manifest.toml has version {version}, but Cargo.toml has {crate_version}"
+        )
     for licence in manifest.get("license", []) or ["nothing"]:
         if not re.fullmatch(r"SPDX:[A-Za-z0-9.+-]+", licence):
             faults.append(f"the licence “{licence}” is not of the form SPDX:GPL-3.0-or-later")
     for field in ("platforms", "wheels"):
         if field in manifest:
-            faults.append(f"`{field}` stands in addon/blender_manifest.toml, but is filled in from the wheels")
+            faults.append(
+                f"`{field}` stands in addon/blender_manifest.toml, but is filled in from the wheels"
+            )
     tagline = manifest.get("tagline", "")
     if not tagline or len(tagline) > 64 or not tagline[-1].isalnum():
         faults.append("the tagline must have 1 to 64 characters and no punctuation at its end")
@@ -62,7 +68,9 @@ def lint(manifest, crate_version, wheels):
         if name not in PERMISSIONS:
             faults.append(f"Blender knows no permission “{name}”")
         if len(reason) > 64 or not reason[-1].isalnum():
-            faults.append(f"the reason for permission “{name}” must have up to 64 characters, no punctuation at its end")
+            faults.append(
+                f"the reason for permission “{name}” must have up to 64 characters, no punctuation at its end"
+            )
     if not wheels:
         faults.append("there is no wheel; build one into dist/ first, or name one with --wheel")
     seen = {}
@@ -74,7 +82,9 @@ def lint(manifest, crate_version, wheels):
         if parts[0] != "boxmorph" or parts[1] != crate_version:
             faults.append(f"the wheel {wheel.name} is not boxmorph {crate_version}; remove it")
         if parts[2:4] != ["cp311", "abi3"]:
-            faults.append(f"the wheel {wheel.name} is not cp311-abi3, so it would fit only one of Blender's Pythons")
+            faults.append(
+                f"the wheel {wheel.name} is not cp311-abi3, so it would fit only one of Blender's Pythons"
+            )
         platform = platform_of(wheel)
         if platform is None:
             faults.append(f"the wheel {wheel.name} is for a platform that Blender's extensions do not name")
