@@ -50,13 +50,6 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
     _timer = None
     _workspace = ""
 
-    @classmethod
-    def poll(cls, _context):
-        if _Running.search is not None:
-            cls.poll_message_set("A search is running. Esc cancels it")
-            return False
-        return True
-
     def execute(self, context):
         """Search and wait for the end: the way of scripts and of `blender --background`."""
         try:
@@ -127,6 +120,9 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         return {"FINISHED"}
 
     def _begin(self, context):
+        # No poll() for this: Blender would keep the button under the mouse grey after the search.
+        if _Running.search is not None:
+            raise Refusal("A search is running. Wait for it, or cancel it with Esc")
         settings = context.scene.boxmorph
         chosen = {
             name: getattr(self if self.properties.is_property_set(name) else settings, name)

@@ -24,24 +24,26 @@ class BOXMORPH_PT_main(_Sidebar, bpy.types.Panel):
         layout = self.layout
         settings = context.scene.boxmorph
         progress = running_progress()
-        column = layout.column()
-        column.enabled = progress is None
-        column.prop(settings, "prompt", text="", placeholder="a bar stool")
-        row = column.row()
-        row.scale_y = 1.4
-        row.operator("boxmorph.deform", icon="MOD_SIMPLEDEFORM")
-        row = column.row(align=True)
-        row.prop(settings, "preset", text="")
-        row.prop(settings, "seed")
+        row = layout.row()
+        row.enabled = progress is None
+        row.prop(settings, "prompt", text="", placeholder="a bar stool")
         if progress is not None:
             _draw_progress(layout, progress)
+            return
+        row = layout.row()
+        row.scale_y = 1.4
+        row.operator("boxmorph.deform", icon="MOD_SIMPLEDEFORM")
+        row = layout.row(align=True)
+        row.prop(settings, "preset", text="")
+        row.prop(settings, "seed")
 
 
 def _draw_progress(layout, progress):
     first, _, rest = progress_text(progress).partition(", ")
-    layout.progress(factor=min(max(progress["fraction"], 0.0), 1.0), type="BAR", text=first)
-    if rest:
-        layout.label(text=rest)
+    row = layout.row()
+    row.scale_y = 1.4
+    row.progress(factor=min(max(progress["fraction"], 0.0), 1.0), type="BAR", text=first)
+    layout.label(text=rest or " ")
     layout.operator("boxmorph.cancel", icon="CANCEL")
 
 

@@ -20,7 +20,9 @@ def built_zip():
     named = os.environ.get("BOXMORPH_ZIP")
     found = [Path(named)] if named else sorted((ROOT / "dist").glob("boxmorph-*-linux_x64.zip"))
     if len(found) != 1 or not found[0].is_file():
-        raise SystemExit("One zip dist/boxmorph-<version>-linux_x64.zip is needed; run `make extension` first.")
+        raise SystemExit(
+            "One zip dist/boxmorph-<version>-linux_x64.zip is needed; run `make extension` first."
+        )
     return found[0]
 
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """Third ring, headless: the built zip installed into real Blender, used by its command line.
 
-    tests/blender/run_headless.py [SUITE ...]          SUITE: trixie, sid (default: both)
+tests/blender/run_headless.py [SUITE ...]          SUITE: trixie, sid (default: both)
 """
 
 import json
@@ -76,13 +76,22 @@ def check_suite(suite, zip_path, counts):
         )
         if not counts.check(run.returncode == 0, "the zip installs", run.stdout + run.stderr):
             return
-        counts.check("Traceback" not in run.stdout + run.stderr, "installing is silent", run.stdout + run.stderr)
+        counts.check(
+            "Traceback" not in run.stdout + run.stderr, "installing is silent", run.stdout + run.stderr
+        )
 
         chair = f"{inside}/chair.blend"
         run = blender(
             suite,
             folder,
-            *("-b", "--factory-startup", "--python-exit-code", "9", "--python", "/repo/tests/blender/make_chair.py"),
+            *(
+                "-b",
+                "--factory-startup",
+                "--python-exit-code",
+                "9",
+                "--python",
+                "/repo/tests/blender/make_chair.py",
+            ),
             *("--", chair),
         )
         counts.check(run.returncode == 0, "the chair is made", run.stdout + run.stderr)
@@ -146,7 +155,9 @@ def check_done(suite, folder, outside, boxmorph, counts):
     counts.check(
         run.returncode == 0 and expected.is_file(), "without --output, saved beside the input", run.stderr
     )
-    counts.check("zzgribble" in run.stderr and "does not know" in run.stderr, "an unknown word is named", run.stderr)
+    counts.check(
+        "zzgribble" in run.stderr and "does not know" in run.stderr, "an unknown word is named", run.stderr
+    )
 
 
 def check_failed(inside, boxmorph, counts):

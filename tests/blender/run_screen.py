@@ -23,7 +23,15 @@ def check_suite(suite, zip_path, counts):
         shutil.copy(zip_path, f"{outside}/{zip_path.name}")
         user = ("env", f"BLENDER_USER_RESOURCES={inside}/user")
         for arguments in (
-            ("--command", "extension", "install-file", "-r", "user_default", "-e", f"{inside}/{zip_path.name}"),
+            (
+                "--command",
+                "extension",
+                "install-file",
+                "-r",
+                "user_default",
+                "-e",
+                f"{inside}/{zip_path.name}",
+            ),
             ("-b", "--factory-startup", "--python", "/repo/tests/blender/make_chair.py", "--")
             + (f"{inside}/chair.blend",),
         ):

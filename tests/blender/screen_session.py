@@ -17,7 +17,10 @@ OBJECT = "Plain Chair"
 
 
 def report(holds, what, detail=""):
-    print(f"{'pass' if holds else 'FAIL'}  {what}" + (f" ({detail})" if detail and not holds else ""), flush=True)
+    print(
+        f"{'pass' if holds else 'FAIL'}  {what}" + (f" ({detail})" if detail and not holds else ""),
+        flush=True,
+    )
 
 
 def open_sidebar(screen):
@@ -113,7 +116,9 @@ def session(screen, shots):
     screen.wait(lambda: screen.ask(f"keys('{OBJECT}')").get(PROMPT) == 1.0, 20, "redo")
     report(True, "redo brings it again")
 
-    keyframe = find(screen, rectangle, "bpy.ops.boxmorph.keyframe_spectrum()", start=button[1] - rectangle[1] + 100)
+    keyframe = find(
+        screen, rectangle, "bpy.ops.boxmorph.keyframe_spectrum()", start=button[1] - rectangle[1] + 100
+    )
     screen.click(*keyframe)
     animated = "bool(bpy.data.shape_keys[0].animation_data and bpy.data.shape_keys[0].animation_data.action)"
     screen.wait(lambda: screen.ask(animated), 20, "keyframes")
