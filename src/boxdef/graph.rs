@@ -51,7 +51,7 @@ impl BoxDefGraph {
         if let Some(axis) = axis {
             occupancy.symmetrise(axis);
         }
-        let pieces = split(&occupancy, splits, axis);
+        let pieces = split(&mut occupancy, splits, axis);
         let mirror = axis.map(|axis| MirrorMap::of(&vertices, axis));
         let mut boxes = part_boxes(mesh, &vertices, &occupancy, &pieces, axis);
         let owners = loop {
