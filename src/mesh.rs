@@ -26,7 +26,9 @@ pub enum MeshError {
         vertex: usize,
     },
     /// A triangle names a vertex that is not there.
-    #[error("triangle {triangle} uses vertex {vertex}, but there are only {count} vertices; check the indices")]
+    #[error(
+        "triangle {triangle} uses vertex {vertex}, but there are only {count} vertices; check the indices"
+    )]
     IndexOutOfRange {
         /// Index of the first such triangle.
         triangle: usize,
@@ -110,8 +112,8 @@ impl Mesh {
     #[must_use]
     pub fn surface_bounds(&self) -> (DVec3, DVec3) {
         let corners = self.triangles.iter().flatten().map(|&i| self.vertices[i as usize]);
-        let (low, high) = corners
-            .fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+        let (low, high) =
+            corners.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
         (low.as_dvec3(), high.as_dvec3())
     }
 

@@ -181,9 +181,7 @@ impl Adjacency<'_> {
         let size = |b: usize| (self.boxes[b].half_size() + 0.005).element_product();
         let is_mid = |b: usize| self.boxes[b].side == MID;
         // `rev` makes the lowest index win a tie.
-        let root = (0..n).rev().max_by(|&a, &b| {
-            is_mid(a).cmp(&is_mid(b)).then(size(a).total_cmp(&size(b)))
-        });
+        let root = (0..n).rev().max_by(|&a, &b| is_mid(a).cmp(&is_mid(b)).then(size(a).total_cmp(&size(b))));
         let root = root.unwrap_or(0);
         let mut edges = Vec::new();
         let mut order = vec![usize::MAX; n];
@@ -200,8 +198,7 @@ impl Adjacency<'_> {
         let mut front_number = 0;
         while !waiting.is_empty() {
             let some_mid = waiting.iter().any(|&b| is_mid(b));
-            let (front, later): (Vec<_>, Vec<_>) =
-                waiting.into_iter().partition(|&b| is_mid(b) == some_mid);
+            let (front, later): (Vec<_>, Vec<_>) = waiting.into_iter().partition(|&b| is_mid(b) == some_mid);
             waiting = later;
             for &parent in &front {
                 order[parent] = front_number;

@@ -47,7 +47,9 @@ pub enum BoxDefError {
         side: i8,
     },
     /// There are not as many pos as neg boxes.
-    #[error("box_side names {pos} pos and {neg} neg boxes; each pos box needs its neg twin, in the same order")]
+    #[error(
+        "box_side names {pos} pos and {neg} neg boxes; each pos box needs its neg twin, in the same order"
+    )]
     Twins {
         /// Number of pos boxes.
         pos: usize,

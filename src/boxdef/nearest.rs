@@ -51,7 +51,8 @@ mod tests {
 
     #[test]
     fn ten_thousand_points_in_one_plane_or_one_place_are_no_trouble() {
-        let grid: Vec<DVec3> = (0..10_000).map(|i| DVec3::new(f64::from(i % 100), f64::from(i / 100), 0.0)).collect();
+        let grid: Vec<DVec3> =
+            (0..10_000).map(|i| DVec3::new(f64::from(i % 100), f64::from(i / 100), 0.0)).collect();
         let tree = Nearest::new(&grid, 0..10_000);
         assert_eq!(tree.one(DVec3::new(41.2, 17.3, 5.0)).0, 1741);
         let heap = vec![DVec3::ONE; 10_000];

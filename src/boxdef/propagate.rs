@@ -116,9 +116,11 @@ fn boundary_weight(d: f64) -> f64 {
 /// One stage: all pulls see the displacements from before it.
 fn pull(values: &mut [f32], stage: &[Pull], moved: &mut Vec<f32>) {
     moved.clear();
-    moved.extend(stage.iter().map(|&(follower, leader, weight)| {
-        weight * (values[leader as usize] - values[follower as usize])
-    }));
+    moved.extend(
+        stage.iter().map(|&(follower, leader, weight)| {
+            weight * (values[leader as usize] - values[follower as usize])
+        }),
+    );
     for (&(follower, ..), change) in stage.iter().zip(moved.iter()) {
         values[follower as usize] += change;
     }

@@ -111,9 +111,7 @@ impl Splitter<'_> {
             let share = volume / piece.tight.volume() as f64;
             kept.then_some((cut.score * share, !doubled, share, cut))
         });
-        let best = cuts.min_by(|a, b| {
-            a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.total_cmp(&b.2))
-        });
+        let best = cuts.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.total_cmp(&b.2)));
         best.map(|(score, .., cut)| Cut { score, ..cut })
     }
 
