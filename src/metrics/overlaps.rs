@@ -85,7 +85,9 @@ impl Tree<'_> {
                 self.collect(low, high, pairs);
                 self.collect(high, high, pairs);
             }
-            (Some(children), other) if other.is_none() || first.end - first.start >= second.end - second.start => {
+            (Some(children), other)
+                if other.is_none() || first.end - first.start >= second.end - second.start =>
+            {
                 children.iter().for_each(|&child| self.collect(child, b, pairs));
             }
             (_, Some(children)) => children.iter().for_each(|&child| self.collect(a, child, pairs)),
