@@ -237,7 +237,8 @@ def _material(name, color, metallic, roughness):
     material = bpy.data.materials.get(name)
     if material is None:
         material = bpy.data.materials.new(name)
-        material.use_nodes = True
+        if material.node_tree is None:
+            material.use_nodes = True
         material.diffuse_color = (*color, 1.0)
         shader = material.node_tree.nodes["Principled BSDF"]
         shader.inputs["Base Color"].default_value = (*color, 1.0)
