@@ -67,7 +67,7 @@ fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError
             continue;
         }
         let field = Arc::new(graph.field().clone());
-        let points_field = spec.points.as_ref().map(|points| graph.field_at(points));
+        let points_field = spec.points.as_ref().map(|points| graph.field_at(points)).transpose()?;
         stages.push(Arc::new(Stage { splits, graph, field, points_field }));
     }
     Ok(stages)
