@@ -69,7 +69,8 @@ impl Maker {
             }
             index.push(at as u32);
         }
-        self.triangles.extend(piece.triangles.iter().map(|t| t.map(|i| index[i as usize])));
+        let merged = piece.triangles.iter().map(|t| t.map(|i| index[i as usize]));
+        self.triangles.extend(merged.filter(|&[a, b, c]| a != b && b != c && c != a));
         self
     }
 
