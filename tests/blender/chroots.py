@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""Shared by the runners of the third ring: where the chroots and the built zip are, and the counts at the end.
+"""Shared by the runners of the third ring: where the chroots and the built zip are, and the counts.
 
-`BOXMORPH_CHROOTS` names the folder of the chroots (default build/chroot), `BOXMORPH_ZIP` the zip (default: the one
-in dist/). A runner prints one line for each check and ends in "N passed, N failed, N skipped".
+`BOXMORPH_CHROOTS` names the folder of the chroots (default build/chroot), `BOXMORPH_ZIP` the zip (default:
+the one in dist/). A runner prints one line for each check and ends in "N passed, N failed, N skipped".
 """
 
 import os
+import shutil
 import subprocess
+import tempfile
+from contextlib import contextmanager
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -16,7 +19,7 @@ SUITES = ("trixie", "sid")
 
 
 def built_zip():
-    """Return the path of the built extension. Raises SystemExit with a sentence where there is none or several."""
+    """Return the path of the built extension. Raises SystemExit with a sentence without one, or with several."""
     named = os.environ.get("BOXMORPH_ZIP")
     found = [Path(named)] if named else sorted((ROOT / "dist").glob("boxmorph-*-linux_x64.zip"))
     if len(found) != 1 or not found[0].is_file():
@@ -37,6 +40,41 @@ def enter(suite, *command, **options):
     return subprocess.run(
         [script, CHROOTS / suite, *map(str, command)], text=True, stdin=subprocess.DEVNULL, **options
     )
+
+
+@contextmanager
+def bench(suite, zip_path):
+    """Give a Bench in the chroot of `suite`; its folder is removed afterwards."""
+    with tempfile.TemporaryDirectory(prefix="boxmorph-", dir=CHROOTS / suite / "tmp") as outside:
+        shutil.copy(zip_path, outside)
+        yield Bench(suite, Path(outside), zip_path.name)
+
+
+class Bench:
+    """A Blender in a chroot, with a user folder and files of its own."""
+
+    def __init__(self, suite, outside, zip_name):
+        self.suite = suite
+        self.outside = outside  #: the folder of the files, as this machine sees it
+        self.inside = f"/tmp/{outside.name}"  #: the same, as the chroot sees it
+        self.zip = f"{self.inside}/{zip_name}"
+        self.chair = f"{self.inside}/chair.blend"
+
+    def run(self, *command, timeout=600):
+        """Run a command there; return the CompletedProcess with its output."""
+        user = f"BLENDER_USER_RESOURCES={self.inside}/user"
+        return enter(self.suite, "env", user, *command, capture_output=True, timeout=timeout)
+
+    def install(self):
+        """Install the zip; return the CompletedProcess."""
+        return self.run(
+            "blender", "--command", "extension", "install-file", "-r", "user_default", "-e", self.zip
+        )
+
+    def make_chair(self):
+        """Save chair.blend; return the CompletedProcess."""
+        script = ("--python-exit-code", "9", "--python", "/repo/tests/blender/make_chair.py")
+        return self.run("blender", "-b", "--factory-startup", *script, "--", self.chair)
 
 
 class Counts:
