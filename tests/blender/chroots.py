@@ -19,7 +19,7 @@ SUITES = ("trixie", "sid")
 
 
 def built_zip():
-    """Return the path of the built extension. Raises SystemExit with a sentence without one, or with several."""
+    """Return the path of the built extension; without one, or with several, end with a sentence."""
     named = os.environ.get("BOXMORPH_ZIP")
     found = [Path(named)] if named else sorted((ROOT / "dist").glob("boxmorph-*-linux_x64.zip"))
     if len(found) != 1 or not found[0].is_file():

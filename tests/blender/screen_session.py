@@ -88,6 +88,8 @@ def session(screen, shots):
     screen.type_into(button[0], button[1] - 28, PROMPT)
     typed = screen.ask("bpy.context.scene.boxmorph.prompt")
     report(typed == PROMPT, "the prompt is typed", typed)
+    # The long search, so that it is still running when Esc is pressed.
+    screen.ask("setattr(bpy.context.scene.boxmorph, 'preset', 'paper')")
 
     report(bool(start_search(screen, button)), "a click starts the search")
     screen.wait(lambda: screen.ask(f"moved('{OBJECT}')") > 1e-4, 120, "a preview")
@@ -102,6 +104,7 @@ def session(screen, shots):
     report(records[0] == 0 and records[2] == 0, "Esc leaves no data and no handler", records)
     screen.shot(shots("3-cancelled"))
 
+    screen.ask("setattr(bpy.context.scene.boxmorph, 'preset', 'standard')")
     report(bool(start_search(screen, button)), "it starts again")
     screen.wait(lambda: "BOXMORPH_OT_deform" not in screen.ask("modal()"), 300, "the end of the search")
     found = screen.ask(f"keys('{OBJECT}')")
@@ -162,7 +165,7 @@ def interruptions(screen):
     ended("Ctrl+Z")
 
     searching()
-    screen.click(*find(screen, rectangle, "bpy.ops.boxmorph.cancel("))
+    screen.click(*find(screen, rectangle, "bpy.ops.boxmorph.cancel(", start=button[1] - rectangle[1] + 34))
     ended("the button Cancel")
 
     searching()
@@ -195,6 +198,7 @@ def select(screen):
         f"bpy.context.view_layer.objects.active = bpy.data.objects['{OBJECT}']\n"
         "for o in bpy.data.objects: o.select_set(o == bpy.context.view_layer.objects.active)\n"
         f"bpy.context.scene.boxmorph.prompt = '{PROMPT}'\n"
+        "bpy.context.scene.boxmorph.preset = 'paper'\n"
         "bpy.ops.ed.undo_push(message='Start')"
     )
     open_sidebar(screen)

@@ -64,7 +64,7 @@ def _answer():
         answer["error"] = traceback.format_exc()
     path = os.path.join(CHANNEL, "answer.json")
     with open(path + ".new", "w", encoding="utf-8") as file:
-        json.dump(answer, file)
+        json.dump(answer, file, default=str)
     os.replace(path + ".new", path)
     return 0.05
 
