@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
+"""Figures for the model card: how well a guide names held-out shapes, and unseen meshes in a folder of .obj files."""
+
+import argparse
+import json
+from pathlib import Path
+
+import boxmorph
+import numpy as np
+import onnxruntime
+from generate import CLEAR, SIZE
+from kinds import FAMILY_WORDS, NAMES
+from tokenizers import Tokenizer
+
+BACKGROUNDS = np.array([[0, 0, 0], [255, 255, 255], [255, 128, 0]], np.float32)
+
+
+class GuideFiles:
+    """The two sessions and the tokenizer of a guide folder."""
+
+    def __init__(self, folder):
+        folder = Path(folder)
+        self.image = onnxruntime.InferenceSession(str(folder / "vision_model.onnx"))
+        self.text = onnxruntime.InferenceSession(str(folder / "text_model.onnx"))
+        self.tokenizer = Tokenizer.from_file(str(folder / "tokenizer.json"))
+        self.config = json.loads((folder / "config.json").read_text())
+        self.classes = self.config["boxmorph"]["classes"]
+
+    def words(self, texts):
+        """Unit embeddings (k, d) of texts."""
+        rows = self.tokenizer.encode_batch(list(texts))
+        ids, mask = np.array([r.ids for r in rows]), np.array([r.attention_mask for r in rows])
+        return self.text.run(None, {"input_ids": ids, "attention_mask": mask})[0]
+
+    def shapes(self, images):
+        """Mean embeddings (k, d) over 4 views and 3 backgrounds of (k, 4, SIZE, SIZE) uint8, CLEAR outside."""
+        clear = images[:, :, None] == CLEAR
+        out = 0
+        for ground in BACKGROUNDS:
+            x = np.where(clear, ground[:, None, None], images[:, :, None].astype(np.float32)) / 127.5 - 1
+            out = out + self.image.run(None, {"pixel_values": x.reshape(-1, 3, SIZE, SIZE).astype(np.float32)})[0]
+        return out.reshape(len(images), 4, -1).mean(1) / len(BACKGROUNDS)
+
+
+def held_out(guide, folder, count=2000):
+    """By family, among shapes that clearly are of one kind: share whose kind is ranked first, in the first three."""
+    images = np.load(Path(folder) / "images.npy", mmap_mode="r")[-count:]
+    truth = np.exp(-np.load(Path(folder) / "gaps.npy")[-count:].astype(float))[:, : len(NAMES)]
+    score = np.concatenate([guide.shapes(images[i : i + 100]) for i in range(0, len(images), 100)]) @ guide.words(guide.classes).T
+    family = np.load(Path(folder) / "family.npy")[-count:]
+    order = np.argsort(-truth, 1)
+    best, second = np.take_along_axis(truth, order[:, :1], 1)[:, 0], np.take_along_axis(truth, order[:, 1:2], 1)[:, 0]
+    clear = (best > 0.7) & (second < 0.5)
+    rank = (score > np.take_along_axis(score, order[:, :1], 1)).sum(1)
+    figures = {}
+    for i, name in enumerate(FAMILY_WORDS):
+        pick = clear & (family == i)
+        figures[name] = {"shapes": int(pick.sum()), "first": float((rank[pick] == 0).mean()), "first three": float((rank[pick] < 3).mean())}
+    figures["correlation of score and truth"] = float(np.corrcoef(score.ravel(), truth.ravel())[0, 1])
+    return figures
+
+
+def read_obj(path):
+    """Vertices and triangles of a y-up .obj file, turned z up."""
+    vertices, triangles = [], []
+    for line in Path(path).read_text().splitlines():
+        word, *rest = line.split() or [""]
+        if word == "v":
+            x, y, z = map(float, rest[:3])
+            vertices.append((x, -z, y))
+        elif word == "f":
+            ring = [int(r.split("/")[0]) - 1 for r in rest]
+            triangles += [(ring[0], b, c) for b, c in zip(ring[1:], ring[2:])]
+    return np.array(vertices, np.float32), np.array(triangles, np.uint32)
+
+
+def name_meshes(guide, folder):
+    """File stem to the three best class prompts with scores, for every .obj in the folder."""
+    words = guide.words(guide.classes)
+    named = {}
+    for path in sorted(Path(folder).glob("*.obj")):
+        image = boxmorph.render(*read_obj(path), size=SIZE, views="paper", renderer="cpu")
+        gray = np.where(image[..., -1] > 127, np.minimum(image[..., 0], CLEAR - 1), CLEAR)
+        score = guide.shapes(gray[None])[0] @ words.T
+        named[path.stem] = [(guide.classes[i], round(float(score[i]), 3)) for i in np.argsort(-score)[:3]]
+    return named
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("guide")
+    parser.add_argument("--data", help="folder made by generate.py")
+    parser.add_argument("--meshes", help="folder of .obj files")
+    arguments = parser.parse_args()
+    opened = GuideFiles(arguments.guide)
+    if arguments.data:
+        print(json.dumps(held_out(opened, arguments.data), indent=2))
+    if arguments.meshes:
+        print(json.dumps(name_meshes(opened, arguments.meshes), indent=2))

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
+"""Train one pair of encoders: the cosine of every (shape, caption) pair is fitted to its graded truth."""
+
+import argparse
+import time
+from pathlib import Path
+
+import numpy as np
+import torch
+from generate import CLEAR
+from kinds import CAPTIONS, NAMES
+from model import ImageEncoder, TextEncoder
+from text import ADJECTIVES, attribute_of, encode, phrases
+from torch.nn import functional as F
+
+BACKGROUNDS = torch.tensor([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [1.0, 0.5, 0.0]])
+SHAPES = 64  # shapes a batch, four images each
+
+
+def goal(gap):
+    """The cosine wanted at a squared distance: near 0.9 inside a kind, with a tail long enough to climb from afar."""
+    return 0.55 * torch.exp(-gap) + 0.35 * torch.exp(-0.7 * gap.clamp(min=1e-6).sqrt())
+
+
+def composite(images, rng):
+    """(k, 4, s, s) uint8 with CLEAR outside to (4k, 3, s, s) in -1..1, each on a random background, shifted a little."""
+    k, v, s, _ = images.shape
+    flat = torch.from_numpy(np.roll(images, rng.integers(-1, 2, 2), (2, 3)).reshape(k * v, 1, s, s))
+    clear = flat == CLEAR
+    ground = BACKGROUNDS[torch.from_numpy(rng.integers(0, 3, k * v))][:, :, None, None]
+    return torch.where(clear, ground, flat.float() / 255) * 2 - 1
+
+
+def mixed_captions(rng, count=14):
+    """Kinds with an adjective of their family: texts, kind indices, attribute indices."""
+    texts, kinds, attributes = [], [], []
+    for i in rng.integers(0, len(NAMES), count):
+        family, kind = NAMES[i]
+        index, adjective = attribute_of(family)[rng.integers(len(attribute_of(family)))]
+        forms = ADJECTIVES[adjective]
+        texts.append(forms[rng.integers(len(forms))] + " " + kind)
+        kinds.append(int(i))
+        attributes.append(index)
+    return texts, kinds, attributes
+
+
+def fit(folder, out, steps, seed, threads, held_out=2000):
+    """Train on the shapes of `folder` but the last `held_out` and save the weights to `out`."""
+    torch.set_num_threads(threads)
+    torch.manual_seed(seed)
+    rng = np.random.default_rng(seed)
+    images = np.load(Path(folder) / "images.npy", mmap_mode="r")
+    gaps = np.load(Path(folder) / "gaps.npy").astype(np.float32)
+    eye, text = ImageEncoder().to(memory_format=torch.channels_last), TextEncoder()
+    weights = [*eye.parameters(), *text.parameters()]
+    optimiser = torch.optim.AdamW(weights, lr=2e-3, weight_decay=2e-3)
+    schedule = torch.optim.lr_scheduler.OneCycleLR(optimiser, 2e-3, steps, pct_start=0.06)
+    start, order, at = time.time(), [], 0
+    count = len(images) - held_out
+    for step in range(steps):
+        if at + SHAPES > len(order):
+            order, at = rng.permutation(count), 0
+        pick = np.sort(order[at : at + SHAPES])
+        at += SHAPES
+        x = composite(images[pick], rng).contiguous(memory_format=torch.channels_last)
+        gap = torch.from_numpy(gaps[pick])
+        texts = [(p := phrases(c))[rng.integers(len(p))] for c in CAPTIONS]
+        more, kinds, attributes = mixed_captions(rng)
+        gap = torch.cat([gap, 0.6 * gap[:, kinds] + 0.6 * gap[:, attributes]], 1)
+        words = text(torch.tensor(encode(texts + more)))
+        with torch.autocast("cpu", dtype=torch.bfloat16):
+            seen = eye(x)
+        each = (seen @ words.T).view(SHAPES, 4, -1)
+        wanted = goal(gap)
+        weight = 0.4 + 2.5 * wanted
+        mean = each.mean(1)
+        loss = (weight * (mean - wanted) ** 2).mean() + 0.3 * (weight[:, None] * (each - wanted[:, None]) ** 2).mean()
+        loss = loss + 0.02 * F.binary_cross_entropy_with_logits(14 * (mean - 0.45), torch.exp(-gap))
+        optimiser.zero_grad()
+        loss.backward()
+        optimiser.step()
+        schedule.step()
+        if step % 200 == 0 or step == steps - 1:
+            error = (mean - wanted).abs().mean().item()
+            print(f"net {seed} step {step} loss {loss.item():.4f} error {error:.4f} {time.time() - start:.0f} s", flush=True)
+    torch.save({"image": eye.state_dict(), "text": text.state_dict()}, out)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder")
+    parser.add_argument("out")
+    parser.add_argument("--steps", type=int, default=6000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--threads", type=int, default=1)
+    arguments = parser.parse_args()
+    fit(arguments.folder, arguments.out, arguments.steps, arguments.seed, arguments.threads)
