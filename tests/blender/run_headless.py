@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """Third ring, headless: the built zip installed into real Blender, used by its command line.
 
-tests/blender/run_headless.py [SUITE ...]          SUITE: trixie, sid (default: both)
+tests/blender/run_headless.py [CHROOT ...]
 """
 
 import json
@@ -10,7 +10,7 @@ import shutil
 import sys
 from pathlib import Path
 
-from chroots import ARTIFACTS, SUITES, Counts, bench, built_zip, ready
+from chroots import ARTIFACTS, Counts, bench, built_zip, chroots, ready
 
 #: Saved files are looked at by Blender itself: prints the shape keys of each mesh object as JSON.
 _LOOK = """
@@ -167,16 +167,15 @@ def check_usage(boxmorph, counts):
 
 
 def main():
-    suites = sys.argv[1:] or SUITES
     zip_path = built_zip()
     counts = Counts("headless")
-    for suite in suites:
-        counts.title = f"headless {suite}"
-        if ready(suite):
-            with bench(suite, zip_path) as prepared:
+    for chroot in chroots(sys.argv[1:]):
+        counts.title = f"headless {chroot.name}"
+        if ready(chroot):
+            with bench(chroot, zip_path) as prepared:
                 check_suite(prepared, counts)
         else:
-            counts.skip(f"Blender of {suite}", "not provisioned; run scripts/provision_blender.sh")
+            counts.skip(f"Blender of {chroot.name}", "not provisioned; run scripts/provision_blender.sh")
     print(counts.summary())
     return 1 if counts.failed else 0
 

@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """Third ring, on a virtual screen: the built zip in real Blender, used by mouse and keyboard.
 
-    tests/blender/run_screen.py [SUITE ...]            SUITE: trixie, sid (default: both)
+    tests/blender/run_screen.py [CHROOT ...]
 
 Screenshots of each step stay in tests/artifacts/.
 """
 
 import sys
 
-from chroots import ARTIFACTS, SUITES, Counts, bench, built_zip, ready
+from chroots import ARTIFACTS, Counts, bench, built_zip, chroots, ready
 
 
 def check_suite(bench, counts):
@@ -30,13 +30,13 @@ def check_suite(bench, counts):
 def main():
     counts = Counts("screen")
     zip_path = built_zip()
-    for suite in sys.argv[1:] or SUITES:
-        counts.title = f"screen {suite}"
-        if ready(suite):
-            with bench(suite, zip_path) as prepared:
+    for chroot in chroots(sys.argv[1:]):
+        counts.title = f"screen {chroot.name}"
+        if ready(chroot):
+            with bench(chroot, zip_path) as prepared:
                 check_suite(prepared, counts)
         else:
-            counts.skip(f"Blender of {suite}", "not provisioned; run scripts/provision_blender.sh")
+            counts.skip(f"Blender of {chroot.name}", "not provisioned; run scripts/provision_blender.sh")
     print(counts.summary())
     return 1 if counts.failed else 0
 
