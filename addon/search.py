@@ -86,7 +86,7 @@ class Search:
         if best is None:
             return
         self._shown_score, positions = best
-        self._trial.write(obj, positions)
+        self._trial.write(obj, positions / self.arrays.scale)
 
     def keep(self, obj):
         """Make the finished search's result the outcome shape key of `obj`. Raises Refusal if it failed."""
@@ -96,6 +96,7 @@ class Search:
         except self._expected() as error:
             raise Refusal(engine.sentence(error)) from error
         positions = result.vertices if self.arrays.points is None else result.points
+        positions = positions / self.arrays.scale
         if not np.isfinite(positions).all():
             raise Refusal("The search ended in coordinates that are not numbers; nothing was changed")
         report = dict(result.report())

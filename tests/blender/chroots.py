@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """Shared by the runners of the third ring: where the chroots and the built zip are, and the counts.
 
-A runner is given chroots that scripts/provision_blender.sh made; without any, it takes build/chroot/trixie
-and build/chroot/sid, or those in the folder that `BOXMORPH_CHROOTS` names. `BOXMORPH_ZIP` names the zip (default:
-the one in dist/). It prints one line for each check and ends in "N passed, N failed, N skipped".
+A runner is given chroots that scripts/provision_blender.sh made; without any, it takes trixie and sid in
+build/chroot, or in the folder that `BOXMORPH_CHROOTS` names. `BOXMORPH_ZIP` names the zip (default: the one
+in dist/). It prints one line for each check and ends in "N passed, N failed, N skipped".
 """
 
 import os
