@@ -14,6 +14,7 @@ use super::parts::Parts;
 use super::propagate::Propagation;
 use super::split::split;
 use super::symmetry::{self, MirrorMap, Symmetry};
+use super::transfer::Transfer;
 use crate::mesh::Mesh;
 
 /// Part boxes of a mesh, the tree and graph edges between them, and the deformation field.
@@ -51,7 +52,7 @@ impl BoxDefGraph {
         if let Some(axis) = axis {
             occupancy.symmetrise(axis);
         }
-        let pieces = split(&occupancy, splits, axis);
+        let pieces = split(&mut occupancy, splits, axis);
         let mirror = axis.map(|axis| MirrorMap::of(&vertices, axis));
         let mut boxes = part_boxes(mesh, &vertices, &occupancy, &pieces, axis);
         let owners = loop {
@@ -74,7 +75,8 @@ impl BoxDefGraph {
             tree_child_point: connections.points.iter().map(|p| frame.to_object(p[1])).collect(),
             edges: connections.edges.iter().copied().map(pair).collect(),
         };
-        let stages = connections.stages.into_iter().map(|stage| stage.into_iter().map(pair).collect()).collect();
+        let stages =
+            connections.stages.into_iter().map(|stage| stage.into_iter().map(pair).collect()).collect();
         Ok(Self::assemble(mesh, parts, frame, &vertices, axis, mirror, stages))
     }
 
@@ -162,6 +164,12 @@ impl BoxDefGraph {
         &self.rows
     }
 
+    /// The symmetry that was found or asked for; never `Auto`.
+    #[must_use]
+    pub fn symmetry(&self) -> Symmetry {
+        Symmetry::about(self.symmetry_axis)
+    }
+
     /// The axis whose pos and neg sides mirror each other (0 x, 1 y, 2 z); none if there is no symmetry.
     #[must_use]
     pub fn symmetry_axis(&self) -> Option<usize> {
@@ -172,6 +180,18 @@ impl BoxDefGraph {
     #[must_use]
     pub fn field(&self) -> &DeformField {
         &self.field
+    }
+
+    /// The same field at other `points` in object coordinates: a base mesh under its modifiers, a proxy.
+    ///
+    /// A point in a vertex's place moves exactly as the vertex does; if the mesh is its own mirror image,
+    /// mirror images move as such.
+    pub fn field_at(&self, points: &[Vec3]) -> Result<DeformField, BoxDefError> {
+        if let Some(row) = points.iter().position(|point| !point.is_finite()) {
+            return Err(BoxDefError::NotFinite { name: "points", row });
+        }
+        let (parts, rows, field) = (&self.parts, &self.rows[..], &self.field);
+        Ok(Transfer { frame: self.frame, parts, rows, field, symmetry: self.symmetry_axis }.at(points))
     }
 
     /// Positions (n) for P rows of scale factors, 1 = unchanged; neither re-centred nor re-scaled.

@@ -14,6 +14,7 @@ mod parts;
 mod propagate;
 mod split;
 mod symmetry;
+mod transfer;
 
 pub use error::BoxDefError;
 pub use field::DeformField;

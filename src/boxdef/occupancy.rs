@@ -96,6 +96,11 @@ impl Occupancy {
         self.filled[self.index(cell)]
     }
 
+    pub(crate) fn clear(&mut self, cell: [usize; 3]) {
+        let index = self.index(cell);
+        self.filled[index] = false;
+    }
+
     /// The cell that a point of the surface lies in.
     pub(crate) fn cell_of(&self, point: DVec3) -> [usize; 3] {
         let scaled = (point * (INWARDS / CELL)).floor().to_array();

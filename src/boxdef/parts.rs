@@ -110,11 +110,6 @@ impl Parts {
         Ok(())
     }
 
-    /// Index of the root box: the one that is no tree edge's child.
-    pub(crate) fn root(&self) -> usize {
-        self.tree_edges.first().map_or(0, |edge| edge[0] as usize)
-    }
-
     /// Parameter row of each box: mid boxes in order, then pos boxes; a neg box has its twin's.
     pub(crate) fn parameter_rows(&self) -> Vec<usize> {
         let mids = self.box_side.iter().filter(|&&side| side == MID).count();

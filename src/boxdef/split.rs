@@ -21,6 +21,8 @@ use super::parts::{MID, POS};
 
 /// Cells to a slab: 0.1 of the frame's unit.
 const SLAB: usize = 10;
+/// What reaches through a cut by no more cells than this belongs to the other side.
+const SHAVING: usize = 3;
 /// Cells to a bin of the projected area: 0.04 of the frame's unit.
 const BIN: usize = 4;
 /// Added to an axis' length in the score, so that short axes do not score without limit.
@@ -52,15 +54,18 @@ struct Cut {
 }
 
 /// Mid pieces, then pos pieces, after at most `splits` cuts.
-pub(crate) fn split(occupancy: &Occupancy, splits: u32, axis: Option<usize>) -> Vec<Piece> {
-    let splitter = Splitter { occupancy, symmetry: axis };
+///
+/// Takes cells out of the grid: those that a cut leaves on the wrong side.
+pub(crate) fn split(occupancy: &mut Occupancy, splits: u32, axis: Option<usize>) -> Vec<Piece> {
     let whole = occupancy.whole();
     let tight = occupancy.tighten(&whole).unwrap_or(whole);
+    let mut splitter = Splitter { occupancy, symmetry: axis };
     let first = Piece { side: MID, domain: whole, tight };
     let mut pieces = vec![(first, splitter.best_cut(&first))];
     for _ in 0..splits {
         let Some((index, cut)) = lowest(&pieces) else { break };
         let (piece, _) = pieces.remove(index);
+        splitter.shave(&piece, cut);
         for child in splitter.cut(&piece, cut) {
             pieces.push((child, splitter.best_cut(&child)));
         }
@@ -77,17 +82,18 @@ fn lowest(pieces: &[(Piece, Option<Cut>)]) -> Option<(usize, Cut)> {
 }
 
 struct Splitter<'a> {
-    occupancy: &'a Occupancy,
+    occupancy: &'a mut Occupancy,
     symmetry: Option<usize>,
 }
 
 impl Splitter<'_> {
     /// The best cut of a piece that is worth it.
     fn best_cut(&self, piece: &Piece) -> Option<Cut> {
+        let occupancy = &*self.occupancy;
         let longest = piece.tight.longest() as f64;
         let mut cuts = Vec::new();
         for axis in 0..3 {
-            let profile = Profile::of(self.occupancy, &piece.tight, axis);
+            let profile = Profile::of(occupancy, &piece.tight, axis, self.is_doubled(piece, axis));
             self.gap_cuts(piece, axis, &profile.layers, &mut cuts);
             if piece.tight.extent(axis) as f64 > LEAST_ASPECT * longest {
                 for from_high in [false, true] {
@@ -97,7 +103,7 @@ impl Splitter<'_> {
         }
         let cuts = cuts.into_iter().filter_map(|cut| {
             let children = self.cut(piece, cut);
-            let doubled = cut_count(self.symmetry, piece, cut) == 2;
+            let doubled = self.is_doubled(piece, cut.axis);
             let kept = children.len() > usize::from(!doubled)
                 && children.iter().all(|child| child.tight.longest() >= LEAST_LENGTH);
             let weight = |child: &Piece| if doubled && child.side == POS { 2.0 } else { 1.0 };
@@ -117,7 +123,7 @@ impl Splitter<'_> {
             Some(Piece { side, domain, tight: self.occupancy.tighten(&domain)? })
         };
         let (low, high) = (piece.domain.low[axis], piece.domain.high[axis]);
-        if cut_count(self.symmetry, piece, cut) == 1 {
+        if !self.is_doubled(piece, axis) {
             return [part(piece.side, at, high), part(piece.side, low, at)].into_iter().flatten().collect();
         }
         let middle = self.occupancy.size()[axis] / 2;
@@ -138,8 +144,7 @@ impl Splitter<'_> {
             }
             let run = layers[start..].iter().take_while(|&&count| count == 0).count();
             let (from, to) = (low + start, low + start + run);
-            let over_plane =
-                piece.side == MID && self.symmetry == Some(axis) && (from..=to).contains(&middle);
+            let over_plane = self.is_doubled(piece, axis) && (from..=to).contains(&middle);
             let at = if over_plane { middle } else { (from + to) / 2 };
             cuts.push(Cut { axis, at, score: 0.0 });
             start += run;
@@ -175,7 +180,62 @@ impl Splitter<'_> {
     /// Whether a double cut would leave next to nothing between its two planes.
     fn leaves_sliver(&self, piece: &Piece, axis: usize, at: usize) -> bool {
         let middle = self.occupancy.size()[axis] / 2;
-        piece.side == MID && self.symmetry == Some(axis) && at.abs_diff(middle) < BIN / 2
+        self.is_doubled(piece, axis) && at.abs_diff(middle) < BIN / 2
+    }
+
+    /// Whether a piece is cut at both sides of the plane at once.
+    fn is_doubled(&self, piece: &Piece, axis: usize) -> bool {
+        piece.side == MID && self.symmetry == Some(axis)
+    }
+
+    /// Takes out what a cut leaves of one part on the side of the other: columns that reach through the
+    /// cut by a few cells only, such as the top of a fuselage at the foot of its fin. Where nothing would
+    /// be left of a side, it stays.
+    fn shave(&mut self, piece: &Piece, Cut { axis, at, .. }: Cut) {
+        let middle = self.occupancy.size()[axis] / 2;
+        let doubled = self.is_doubled(piece, axis);
+        let at = if doubled { middle + at.abs_diff(middle) } else { at };
+        for upwards in [false, true] {
+            let mut shavings = Vec::new();
+            let mut others = false;
+            let layer = if upwards { at } else { at - 1 };
+            self.occupancy.for_each_filled(&piece.tight.with(axis, layer, layer + 1), |cell| {
+                let depth = self.depth(cell, axis, upwards);
+                let mut beyond = cell;
+                beyond[axis] = if upwards { at - 1 } else { at };
+                if depth > SHAVING || !self.occupancy.is_filled(beyond) {
+                    others = true;
+                } else {
+                    shavings.push((cell, depth));
+                }
+            });
+            if !others {
+                continue;
+            }
+            for (mut cell, depth) in shavings {
+                for _ in 0..depth {
+                    self.occupancy.clear(cell);
+                    if doubled {
+                        self.occupancy.clear(self.occupancy.mirrored(cell, axis));
+                    }
+                    cell[axis] = if upwards { cell[axis] + 1 } else { cell[axis] - 1 };
+                }
+            }
+        }
+    }
+
+    /// Number of filled cells in a row, `SHAVING` + 1 at most, from a cell on along an axis.
+    fn depth(&self, mut cell: [usize; 3], axis: usize, upwards: bool) -> usize {
+        // The grid's empty rim ends every row before the grid does.
+        (0..=SHAVING)
+            .take_while(|_| {
+                let filled = self.occupancy.is_filled(cell);
+                if filled {
+                    cell[axis] = if upwards { cell[axis] + 1 } else { cell[axis] - 1 };
+                }
+                filled
+            })
+            .count()
     }
 
     /// Projected area of each slab along an axis, in bins.
@@ -195,25 +255,29 @@ impl Splitter<'_> {
     }
 }
 
-/// 2 for the double cut of a mid piece on the symmetry axis, else 1.
-fn cut_count(symmetry: Option<usize>, piece: &Piece, cut: Cut) -> u32 {
-    if piece.side == MID && symmetry == Some(cut.axis) { 2 } else { 1 }
-}
-
 /// A piece seen along an axis, layer by layer.
 struct Profile {
     /// Number of filled cells of each layer.
     layers: Vec<u32>,
-    /// Area seen of all layers before each layer (one more than there are layers).
-    before: Vec<u64>,
-    /// Area seen of each layer and all after it (one more than there are layers).
-    from: Vec<u64>,
+    /// Whether the piece is cut on both sides of its middle at once.
+    doubled: bool,
+    /// Area seen of the layers below each layer; where doubled, of those nearer to the middle.
+    inner: Vec<u64>,
+    /// Area seen of each layer and those above; where doubled, of those farther from the middle.
+    outer: Vec<u64>,
 }
 
 impl Profile {
-    fn of(occupancy: &Occupancy, cells: &CellBox, axis: usize) -> Self {
+    fn of(occupancy: &Occupancy, cells: &CellBox, axis: usize, doubled: bool) -> Self {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         let count = cells.extent(axis);
+        let half = count / 2;
+        // A doubled piece is symmetric, so its number of layers is even.
+        let (reach, fold): (usize, &dyn Fn(usize) -> usize) = if doubled {
+            (half, &|layer| if layer < half { half - 1 - layer } else { layer - half })
+        } else {
+            (count, &|layer| layer)
+        };
         let mut layers = vec![0; count];
         // First and last filled layer of each column along the axis.
         let mut columns = vec![(usize::MAX, 0); cells.extent(u) * cells.extent(v)];
@@ -221,23 +285,26 @@ impl Profile {
             let layer = cell[axis] - cells.low[axis];
             layers[layer] += 1;
             let column = &mut columns[(cell[u] - cells.low[u]) * cells.extent(v) + cell[v] - cells.low[v]];
-            *column = (column.0.min(layer), column.1.max(layer));
+            let folded = fold(layer).min(reach - 1);
+            *column = (column.0.min(folded), column.1.max(folded));
         });
-        let (mut before, mut from) = (vec![0; count + 1], vec![0; count + 1]);
+        let (mut inner, mut outer) = (vec![0; reach + 1], vec![0; reach + 1]);
         for &(first, last) in columns.iter().filter(|column| column.0 != usize::MAX) {
-            before[first + 1] += 1;
-            from[last] += 1;
+            inner[first + 1] += 1;
+            outer[last] += 1;
         }
-        for layer in 0..count {
-            before[layer + 1] += before[layer];
-            from[count - 1 - layer] += from[count - layer];
+        for layer in 0..reach {
+            inner[layer + 1] += inner[layer];
+            outer[reach - 1 - layer] += outer[reach - layer];
         }
-        Self { layers, before, from }
+        Self { layers, doubled, inner, outer }
     }
 
-    /// Volume of the two prisms, each with the outline of its side of a cut, that hold the piece.
+    /// Volume of the prisms, each with the outline of its side of a cut, that hold the piece.
     fn prisms(&self, at: usize) -> u64 {
-        self.before[at] * at as u64 + self.from[at] * (self.layers.len() - at) as u64
+        let half = self.layers.len() / 2;
+        let at = if self.doubled { at.abs_diff(half) } else { at };
+        self.inner[at] * at as u64 + self.outer[at] * (self.outer.len() - 1 - at) as u64
     }
 
     /// The cut within a slab either way of `at` with the least prisms; of equals the one nearest to `at`.
