@@ -1,2 +1,70 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! To come.
+//! The record of a job: everything needed to make the same outcome again, and what it cost.
+
+use serde::Serialize;
+
+/// Which guide judged.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct GuideRecord {
+    /// Its name.
+    pub name: String,
+    /// SHA-256 over its files.
+    pub sha256: String,
+}
+
+/// The record of one outcome. Lengths are in the object's unit, times in seconds.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Report {
+    /// Version of Boxmorph.
+    pub boxmorph: String,
+    /// The prompt.
+    pub prompt: String,
+    /// Its words that the guide does not know.
+    pub unknown_words: Vec<String>,
+    /// The guide.
+    pub guide: GuideRecord,
+    /// The preset's name.
+    pub preset: String,
+    /// The seed.
+    pub seed: u64,
+    /// The split count that won.
+    pub splits: u32,
+    /// The symmetry axis, if any.
+    pub symmetry: Option<String>,
+    /// The renderer.
+    pub renderer: String,
+    /// Vertices of the mesh that was scored.
+    pub vertices: usize,
+    /// Triangles of the mesh that was scored.
+    pub triangles: usize,
+    /// Part boxes.
+    pub boxes: usize,
+    /// Rows of `scales`.
+    pub parameter_rows: usize,
+    /// Score of the unchanged object, by all images.
+    pub score_before: f64,
+    /// Score of the outcome, by all images.
+    pub score_after: f64,
+    /// Mean of 1 − cos between vertex normals before and after.
+    pub normal_error: f64,
+    /// Generations, over all split counts.
+    pub generations: usize,
+    /// Candidates evaluated, over all split counts.
+    pub evaluations: usize,
+    /// Images encoded, over all split counts.
+    pub images_encoded: usize,
+    /// Wall time.
+    pub seconds: f64,
+    /// Why the winning search ended.
+    pub stop_reason: String,
+    /// Scale factors per parameter row and axis.
+    pub scales: Vec<[f32; 3]>,
+    /// The gauge's factor on positions.
+    pub gauge_scale: f32,
+    /// The gauge's shift of positions, after its factor.
+    pub gauge_shift: [f32; 3],
+    /// Lowest slider value.
+    pub slider_min: f32,
+    /// Highest slider value.
+    pub slider_max: f32,
+}

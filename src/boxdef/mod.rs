@@ -1,6 +1,23 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Mesh to deformation field: occupancy, part boxes, `BoxDefGraph`, field (paper §3).
 
+mod assign;
+mod boxes;
+mod connect;
+mod error;
 mod field;
+mod frame;
+mod graph;
+mod nearest;
+mod occupancy;
+mod parts;
+mod propagate;
+mod split;
+mod symmetry;
+mod transfer;
 
+pub use error::BoxDefError;
 pub use field::DeformField;
+pub use graph::BoxDefGraph;
+pub use parts::Parts;
+pub use symmetry::Symmetry;

@@ -1,2 +1,190 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! To come.
+//! Guides: text–image models that say how much an image looks like a prompt.
+//!
+//! A guide is a folder in the layout of CLIP and SigLIP exports (`vision_model.onnx`, `text_model.onnx`,
+//! `tokenizer.json`, `preprocessor_config.json`, `config.json`; the models may lie under `onnx/`).
+//! The embedded guide is compiled into the library.
+
+mod encoder;
+mod error;
+mod files;
+mod preprocess;
+mod runtime;
+mod text;
+
+use std::path::Path;
+
+pub use error::GuideError;
+pub use runtime::set_default_library;
+
+use encoder::Encoder;
+use files::GuideFiles;
+use preprocess::Preprocess;
+use text::Text;
+
+/// Images encoded in one run of the network. Fixed, so that no result depends on the number of threads.
+const IMAGE_BATCH: usize = 12;
+
+/// Longest prompt taken, in characters.
+const MAX_PROMPT: usize = 1000;
+
+/// Networks up to this size are opened once a thread; larger ones share one session.
+const SMALL_MODEL_BYTES: usize = 64 << 20;
+
+/// An opened text–image model. Embeddings are unit vectors of [`Guide::dimension`] numbers.
+pub struct Guide {
+    name: String,
+    hash: String,
+    classes: Vec<String>,
+    preprocess: Preprocess,
+    text: Text,
+    vision: Encoder,
+    text_encoder: Encoder,
+    dimension: usize,
+}
+
+impl std::fmt::Debug for Guide {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Guide").field("name", &self.name).field("hash", &self.hash).finish_non_exhaustive()
+    }
+}
+
+impl Guide {
+    /// Opens the guide in `folder`, or the embedded one. `threads` defaults to the machine's.
+    pub fn open(folder: Option<&Path>, threads: Option<usize>) -> Result<Self, GuideError> {
+        let files = match folder {
+            Some(folder) => GuideFiles::read(folder)?,
+            None => GuideFiles::embedded()?,
+        };
+        let threads = threads.unwrap_or_else(available_threads).max(1);
+        let environment = runtime::environment()?;
+        let small = files.vision.len() <= SMALL_MODEL_BYTES;
+        let (sessions, intra) = if small { (threads, 1) } else { (1, threads) };
+        let vision = Encoder::open(&environment, "vision_model.onnx", &files.vision, sessions, intra)?;
+        let text_encoder = Encoder::open(&environment, "text_model.onnx", &files.text, 1, intra)?;
+        let text = Text::new(&files.tokenizer, files.max_tokens())?;
+        let preprocess = Preprocess::from_json(&files.preprocessor)?;
+        let mut guide = Self {
+            hash: files.hash(),
+            classes: files.classes(),
+            name: files.name,
+            preprocess,
+            text,
+            vision,
+            text_encoder,
+            dimension: 0,
+        };
+        guide.dimension = guide.check_dimensions()?;
+        Ok(guide)
+    }
+
+    /// The folder's name, or `mini` for the embedded guide.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// SHA-256 over all the guide's files, in hexadecimal.
+    #[must_use]
+    pub fn hash(&self) -> &str {
+        &self.hash
+    }
+
+    /// The names the guide was taught, where it says so; empty for a guide of general knowledge.
+    #[must_use]
+    pub fn classes(&self) -> &[String] {
+        &self.classes
+    }
+
+    /// Side of the square images it reads, in pixels.
+    #[must_use]
+    pub fn image_size(&self) -> u32 {
+        self.preprocess.size
+    }
+
+    /// Length of an embedding.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// The unit embedding of `text`.
+    pub fn text_embedding(&self, text: &str) -> Result<Vec<f32>, GuideError> {
+        check_prompt(text)?;
+        let tokens = self.text.encode(text)?;
+        let mut embedding = self.text_encoder.encode_tokens(&tokens)?;
+        normalise(&mut embedding)?;
+        Ok(embedding)
+    }
+
+    /// Unit embeddings, `count × dimension`, of `count` RGB images (`count × size × size × 3` bytes).
+    pub fn image_embeddings(&self, images: &[u8]) -> Result<Vec<f32>, GuideError> {
+        let image_bytes = (self.preprocess.size as usize).pow(2) * 3;
+        if !images.len().is_multiple_of(image_bytes) {
+            return Err(GuideError::ImageBytes { size: self.preprocess.size, bytes: images.len() });
+        }
+        let mut all = self.vision.encode_images(images, &self.preprocess, IMAGE_BATCH)?;
+        let count = images.len() / image_bytes;
+        if count > 0 {
+            for embedding in all.chunks_exact_mut(self.dimension.max(1)) {
+                normalise(embedding)?;
+            }
+        }
+        Ok(all)
+    }
+
+    /// The words of `text` that the guide has never seen; none for a guide that spells words out.
+    pub fn unknown_words(&self, text: &str) -> Result<Vec<String>, GuideError> {
+        self.text.unknown_words(text)
+    }
+
+    /// Refuses a prompt that is empty, endless, or of unknown words alone.
+    pub fn check_prompt(&self, prompt: &str) -> Result<(), GuideError> {
+        check_prompt(prompt)?;
+        let unknown = self.text.unknown_words(prompt)?;
+        if !unknown.is_empty() && self.text.known_words(prompt, &unknown) == 0 {
+            return Err(GuideError::UnknownPrompt {
+                words: unknown.join(", "),
+                examples: self.classes.iter().take(6).cloned().collect::<Vec<_>>().join(", "),
+            });
+        }
+        Ok(())
+    }
+
+    /// Runs both networks once, so that a guide whose parts do not fit is refused when opened.
+    fn check_dimensions(&self) -> Result<usize, GuideError> {
+        let text = self.text_encoder.encode_tokens(&self.text.encode("a chair")?)?.len();
+        let blank = vec![0; (self.preprocess.size as usize).pow(2) * 3];
+        let image = self.vision.encode_images(&blank, &self.preprocess, 1)?.len();
+        if text != image || text == 0 {
+            return Err(GuideError::Dimensions { text, image });
+        }
+        Ok(text)
+    }
+}
+
+fn available_threads() -> usize {
+    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
+}
+
+fn check_prompt(prompt: &str) -> Result<(), GuideError> {
+    if prompt.trim().is_empty() {
+        return Err(GuideError::EmptyPrompt);
+    }
+    let length = prompt.chars().count();
+    if length > MAX_PROMPT {
+        return Err(GuideError::LongPrompt { length, most: MAX_PROMPT });
+    }
+    Ok(())
+}
+
+fn normalise(embedding: &mut [f32]) -> Result<(), GuideError> {
+    let norm = embedding.iter().map(|x| f64::from(*x).powi(2)).sum::<f64>().sqrt();
+    if !norm.is_finite() || norm == 0.0 {
+        return Err(GuideError::BadEmbedding);
+    }
+    for x in embedding {
+        *x = (f64::from(*x) / norm) as f32;
+    }
+    Ok(())
+}

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
+# `make help` lists the targets.
+
+PYTHON ?= python3.11
+VENV := .venv
+BIN := $(VENV)/bin
+WHEEL_SOURCES := Cargo.toml Cargo.lock pyproject.toml $(wildcard guides/mini/*) \
+	$(shell find src python -name '*.rs' -o -name '*.wgsl' -o -name '*.py' -o -name '*.pyi')
+ADDON_SOURCES := scripts/build_extension.py $(shell find addon -type f -not -name '*.pyc')
+
+.PHONY: help tools setup test demo bench extension lint format clean
+
+help: ## list the targets
+	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
+
+tools:
+	@command -v $(PYTHON) >/dev/null || { echo "Boxmorph needs Python 3.11: install it, or name it with PYTHON=..." >&2; exit 1; }
+	@command -v cargo >/dev/null || { echo "Boxmorph needs Rust 1.92 or later: install cargo (https://rustup.rs)." >&2; exit 1; }
+
+setup: tools $(VENV)/.wheel ## make .venv with bpy and the freshly built wheel
+
+$(VENV)/.requirements: requirements/build.txt
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/pip install --quiet --disable-pip-version-check -r requirements/build.txt
+	@touch $@
+
+$(VENV)/.wheel: $(VENV)/.requirements $(WHEEL_SOURCES) scripts/fetch_onnxruntime.py
+	$(BIN)/python scripts/fetch_onnxruntime.py
+	rm -f dist/*.whl
+	$(BIN)/maturin build --release --quiet --out dist
+	$(BIN)/pip install --quiet --disable-pip-version-check --force-reinstall --no-deps dist/*.whl
+	@touch $@
+
+extension: setup $(VENV)/.extension ## build the installable zip in dist/
+
+$(VENV)/.extension: $(VENV)/.wheel $(ADDON_SOURCES)
+	$(BIN)/python scripts/build_extension.py
+	@touch $@
+
+$(VENV)/.test-requirements: $(VENV)/.requirements requirements/test.txt
+	$(BIN)/pip install --quiet --disable-pip-version-check -r requirements/test.txt
+	@touch $@
+
+test: extension $(VENV)/.test-requirements ## run all tests, ending in their counts
+	$(BIN)/python scripts/run_tests.py
+
+demo: extension ## deform the example objects, results in demo/out/
+	$(BIN)/python demo/run.py
+
+bench: setup $(VENV)/.test-requirements ## measure field, rendering, encoding and search, as ratios in one run
+	$(BIN)/python benches/bench.py
+
+lint: setup $(VENV)/.test-requirements ## check formatting, clippy, ruff and, where installed, cargo deny
+	cargo fmt --check
+	cargo clippy --release --all-targets --features python -- -D warnings
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	@if command -v cargo-deny >/dev/null; then cargo deny check; else echo "cargo-deny is not installed: licences and advisories are not checked"; fi
+
+format: $(VENV)/.test-requirements ## format Rust and Python
+	cargo fmt
+	$(BIN)/ruff check --fix --quiet .
+	$(BIN)/ruff format --quiet .
+
+clean: ## remove everything that was built
+	rm -rf target dist $(VENV) build demo/out tests/artifacts python/boxmorph/onnxruntime

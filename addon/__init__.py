@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Boxmorph: deform a manufactured object toward a text prompt, as a shape key.
+
+The work is done by the Rust module `boxmorph`, which is imported at first use and not when Blender starts.
+"""
+
+import bpy
+
+from . import command, operators, panels, preferences, properties
+
+_classes = preferences.classes + properties.classes + operators.classes + panels.classes
+_commands = []
+
+
+def register():
+    for cls in _classes:
+        bpy.utils.register_class(cls)
+    properties.register_scene()
+    _commands.append(bpy.utils.register_cli_command("boxmorph", command.main))
+
+
+def unregister():
+    operators.stop_running()
+    while _commands:
+        bpy.utils.unregister_cli_command(_commands.pop())
+    properties.unregister_scene()
+    for cls in reversed(_classes):
+        bpy.utils.unregister_class(cls)

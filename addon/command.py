@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command line: `blender [-b] file.blend --command boxmorph deform --prompt "a bar stool"`.
+
+Exit codes: 0 done, 1 failed, 2 wrong usage. Each sub-command is a function of its parsed arguments and
+returns one.
+"""
+
+import argparse
+import json
+import os
+import re
+import sys
+import tempfile
+
+import bpy
+
+from . import engine, images, keyframes, operators
+from .errors import Refusal
+from .preferences import RENDERERS
+from .properties import PRESETS, SPLITS, SYMMETRY
+from .search import Search
+
+DONE, FAILED, USAGE = 0, 1, 2
+
+#: Slider values of the `--spectrum` picture.
+_STRIP = (-1.0, -0.5, 0.0, 0.5, 1.0, 1.5)
+
+
+def main(arguments):
+    """Run `boxmorph` with these arguments (list of str); return the exit code."""
+    options = _parser().parse_args(arguments)
+    try:
+        return options.run(options)
+    except Refusal as refusal:
+        print(f"boxmorph: {refusal}.", file=sys.stderr)
+        return FAILED
+
+
+def _parser():
+    parser = argparse.ArgumentParser(
+        prog="blender -b FILE.blend --command boxmorph",
+        description="Deform objects toward a text prompt.",
+    )
+    commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
+    _add_deform(commands)
+    return parser
+
+
+def _add_deform(commands):
+    deform = commands.add_parser(
+        "deform",
+        help="deform one object to a prompt and save the file with its new shape key",
+        description="Deform one object of FILE.blend to a prompt and save the file with its new shape key.",
+    )
+    deform.add_argument("--prompt", required=True, help="what the object should become")
+    deform.add_argument("--object", metavar="NAME", help="the object to deform (default: the active one)")
+    deform.add_argument("--preset", choices=[item[0] for item in PRESETS], default="standard")
+    deform.add_argument(
+        "--seed", type=_seed, default=0, help="another seed gives another result (default: 0)"
+    )
+    deform.add_argument("--splits", choices=[item[0] for item in SPLITS], default="auto")
+    deform.add_argument("--symmetry", choices=[item[0] for item in SYMMETRY], default="auto")
+    deform.add_argument(
+        "--renderer", choices=[item[0] for item in RENDERERS], help="default: as in the preferences"
+    )
+    deform.add_argument(
+        "--keyframes",
+        type=_keyframes,
+        metavar="FROM:TO[:VALUE:VALUE]",
+        help="keyframe the spectrum over these frames, from value 0 to 1 or those given",
+    )
+    deform.add_argument(
+        "--output", metavar="FILE.blend", help="default: FILE-<prompt>.blend beside FILE.blend"
+    )
+    deform.add_argument("--report", metavar="FILE.json", help="write a report of the search")
+    deform.add_argument(
+        "--sheet", metavar="FILE.png", help="write the four views before (above) and after (below)"
+    )
+    deform.add_argument(
+        "--spectrum", metavar="FILE.png", help="write one view at slider values from -1 to 1.5"
+    )
+    deform.set_defaults(run=_deform)
+
+
+def _deform(options):
+    source = _opened_file()
+    obj = _object(options.object)
+    prompt = engine.clean_prompt(options.prompt)
+    output = os.path.abspath(options.output) if options.output else _default_output(source, prompt)
+    for path in (output, options.report, options.sheet, options.spectrum):
+        if path is not None:
+            _require_writable(path)
+
+    search = Search(
+        bpy.context,
+        obj,
+        prompt,
+        preset=options.preset,
+        seed=options.seed,
+        splits=options.splits,
+        symmetry=options.symmetry,
+        renderer=options.renderer,
+    )
+    for note in search.notes():
+        print(f"boxmorph: {note}.", file=sys.stderr)
+    try:
+        search.run(_Printer())
+    except KeyboardInterrupt:
+        search.cancel(wait=True)
+        raise Refusal("Interrupted; nothing was saved") from None
+    search.keep(obj)
+    if options.keyframes is not None:
+        keyframes.keyframe_spectrum(obj.data.shape_keys.key_blocks[search.name], *options.keyframes)
+
+    _save(output)
+    _write_pictures(search, options)
+    if options.report is not None:
+        report = dict(search.report, file=source, output=output)
+        with open(options.report, "w", encoding="utf-8") as file:
+            json.dump(report, file, indent=2, ensure_ascii=False)
+            file.write("\n")
+    print(f"boxmorph: {search.summary()}, saved in {output}", flush=True)
+    return DONE
+
+
+def _opened_file():
+    """Return the path of the open file. Raises Refusal where Blender opened its startup file instead."""
+    if bpy.data.filepath:
+        return bpy.data.filepath
+    before = sys.argv[
+        : next((i for i, word in enumerate(sys.argv) if word in ("-c", "--command")), len(sys.argv))
+    ]
+    named = [word for word in before[1:] if word.endswith(".blend")]
+    if named:
+        raise Refusal(f"Blender could not open {named[-1]}; nothing was done")
+    print(
+        "boxmorph: name a file before --command: blender -b FILE.blend --command boxmorph …", file=sys.stderr
+    )
+    raise SystemExit(USAGE)
+
+
+def _object(name):
+    if name is None:
+        if bpy.context.active_object is None:
+            raise Refusal("The file has no active object. Name one with --object")
+        return bpy.context.active_object
+    obj = bpy.data.objects.get(name)
+    if obj is None:
+        meshes = sorted(obj.name for obj in bpy.data.objects if obj.type == "MESH")
+        known = ", ".join(meshes[:10]) if meshes else "none"
+        raise Refusal(f"The file has no object named “{name}”. Its mesh objects: {known}")
+    return obj
+
+
+def _default_output(source, prompt):
+    slug = re.sub(r"\W+", "-", prompt.lower()).strip("-")[:60]
+    return f"{os.path.splitext(source)[0]}-{slug}.blend"
+
+
+def _require_writable(path):
+    """Raise Refusal unless a file at `path` could be written; checked by doing it, since permissions
+    mislead.
+    """
+    folder = os.path.dirname(os.path.abspath(path))
+    try:
+        if os.path.isdir(path):
+            raise IsADirectoryError(0, "it is a folder")
+        if os.path.exists(path):
+            with open(path, "r+b"):
+                pass
+        else:
+            with tempfile.TemporaryFile(dir=folder):
+                pass
+    except OSError as error:
+        raise Refusal(f"{path} cannot be written ({error.strerror}). Name another path") from error
+
+
+def _save(output):
+    try:
+        bpy.ops.wm.save_as_mainfile(filepath=output, copy=True, check_existing=False)
+    except RuntimeError as error:
+        raise Refusal(f"Blender could not save {output} ({engine.sentence(error)})") from error
+
+
+def _write_pictures(search, options):
+    if options.sheet is None and options.spectrum is None:
+        return
+    boxmorph = engine.library()
+    rest, triangles = search.arrays.vertices, search.arrays.triangles
+    after = search.result.vertices
+    if options.sheet is not None:
+        rows = [images.render_row(boxmorph, shape, triangles) for shape in (rest, after)]
+        images.save_png(images.stack(rows), os.path.abspath(options.sheet))
+    if options.spectrum is not None:
+        strip = images.spectrum_strip(boxmorph, rest, after, triangles, _STRIP)
+        images.save_png(strip, os.path.abspath(options.spectrum))
+
+
+class _Printer:
+    """Prints progress, a line whenever the phase changes or another tenth is done."""
+
+    def __init__(self):
+        self._last = None
+
+    def __call__(self, progress):
+        step = (progress["phase"], int(progress["fraction"] * 10))
+        if step != self._last:
+            self._last = step
+            print(f"boxmorph: {progress['fraction']:4.0%}  {operators.progress_text(progress)}", flush=True)
+
+
+def _seed(text):
+    value = int(text)
+    if value < 0:
+        raise argparse.ArgumentTypeError("a seed is 0 or more")
+    return value
+
+
+def _keyframes(text):
+    """Parse FROM:TO or FROM:TO:VALUE:VALUE."""
+    parts = text.split(":")
+    try:
+        if len(parts) not in (2, 4):
+            raise ValueError
+        frames = [int(part) for part in parts[:2]]
+        values = [float(part) for part in parts[2:]]
+    except ValueError:
+        raise argparse.ArgumentTypeError(
+            f"“{text}” is not FROM:TO, such as 1:60, or FROM:TO:VALUE:VALUE"
+        ) from None
+    if frames[0] == frames[1]:
+        raise argparse.ArgumentTypeError("the two frames are one and the same")
+    return (*frames, *values)

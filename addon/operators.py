@@ -1,0 +1,342 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The operators: deform to a prompt, cancel, keyframe the spectrum, remove an outcome, show the views."""
+
+import bpy
+from bpy.app.handlers import persistent
+from bpy.props import FloatProperty, IntProperty, StringProperty
+
+from . import engine, images, keyframes, mesh_io, shape_key
+from .errors import Refusal
+from .preferences import preferences
+from .properties import SearchProperties
+from .search import Search
+
+_TICK_SECONDS = 0.1
+
+
+class _Running:
+    """The one modal search of this Blender, as the panel and the handlers see it."""
+
+    search = None
+    stop = False
+    undone = False
+
+
+def running_progress():
+    """Return the progress of the running search, or None."""
+    return None if _Running.search is None else _Running.search.progress
+
+
+def stop_running():
+    """End a running search and wait for it; for unregister()."""
+    search = _Running.search
+    if search is None:
+        return
+    _Running.search = None
+    search.cancel(wait=True)
+    obj = search.find_object()
+    if obj is not None:
+        search.take_back(obj)
+
+
+class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
+    """Search a deformation of the active object that looks like the prompt, and add it as a shape key"""
+
+    bl_idname = "boxmorph.deform"
+    bl_label = "Deform to Prompt"
+    # Not REGISTER: "Adjust Last Operation" would search again at each change of a number.
+    bl_options = {"UNDO"}
+
+    _timer = None
+    _workspace = ""
+
+    def execute(self, context):
+        """Search and wait for the end: the way of scripts and of `blender --background`."""
+        try:
+            search = self._begin(context)
+            search.run()
+            search.keep(self._object(search))
+        except Refusal as refusal:
+            return self._refuse(refusal)
+        self.report({"INFO"}, search.summary())
+        return {"FINISHED"}
+
+    def invoke(self, context, _event):
+        """Search beside the user's work: polled by a timer, with the best so far shown on the object."""
+        try:
+            _Running.search = self._begin(context)
+        except Refusal as refusal:
+            return self._refuse(refusal)
+        _Running.stop = _Running.undone = False
+        wm = context.window_manager
+        self._timer = wm.event_timer_add(_TICK_SECONDS, window=context.window)
+        self._workspace = context.workspace.name
+        bpy.app.handlers.undo_post.append(_on_undo)
+        wm.modal_handler_add(self)
+        self._show_status(context)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event):
+        search = _Running.search
+        if search is None:
+            self._clear(context)
+            return {"CANCELLED"}
+        if event.value == "PRESS" and (
+            event.type == "ESC" or (event.type == "Z" and (event.ctrl or event.oskey))
+        ):
+            return self._give_up(context, "Cancelled; the object is as it was")
+        if event.type != "TIMER":
+            return {"PASS_THROUGH"}
+        if _Running.undone:
+            return self._give_up(context, "Cancelled by undo")
+        if _Running.stop:
+            return self._give_up(context, "Cancelled; the object is as it was")
+        return self._tick(context, search)
+
+    def cancel(self, context):
+        """Blender ends the operator itself: another file is loaded, or it quits."""
+        search = _Running.search
+        if search is not None:
+            search.cancel(wait=True)
+        self._clear(context)
+
+    def _tick(self, context, search):
+        ended = search.poll()
+        self._show_status(context)
+        try:
+            obj = self._object(search)
+            if obj.mode != "OBJECT":
+                return {"PASS_THROUGH"}
+            if not ended:
+                search.preview(obj)
+                return {"PASS_THROUGH"}
+            search.keep(obj)
+        except Refusal as refusal:
+            self._take_back(search)
+            self._clear(context)
+            return self._refuse(refusal)
+        self._clear(context)
+        self.report({"INFO"}, search.summary())
+        return {"FINISHED"}
+
+    def _begin(self, context):
+        # No poll() for this: Blender would keep the button under the mouse grey after the search.
+        if _Running.search is not None:
+            raise Refusal("A search is running. Wait for it, or cancel it with Esc")
+        settings = context.scene.boxmorph
+        chosen = {
+            name: getattr(self if self.properties.is_property_set(name) else settings, name)
+            for name in ("prompt", "preset", "seed", "splits", "symmetry")
+        }
+        search = Search(context, context.active_object, **chosen)
+        for note in search.notes():
+            self.report({"WARNING"}, note)
+        return search
+
+    def _object(self, search):
+        obj = search.find_object()
+        if obj is None:
+            search.cancel()
+            raise Refusal(f"“{search.object_name}” was deleted or its mesh was changed during the search")
+        return obj
+
+    def _give_up(self, context, message):
+        search = _Running.search
+        search.cancel()
+        self._take_back(search)
+        self._clear(context)
+        self.report({"INFO"}, message)
+        return {"CANCELLED"}
+
+    def _take_back(self, search):
+        obj = search.find_object()
+        if obj is None:
+            return
+        if obj.mode != "OBJECT" and obj == bpy.context.object:
+            # A key cannot be removed in Edit Mode, and the edits of this mode are the user's.
+            bpy.ops.object.mode_set(mode="OBJECT")
+        search.take_back(obj)
+
+    def _refuse(self, refusal):
+        self.report({"ERROR"}, str(refusal))
+        return {"CANCELLED"}
+
+    def _show_status(self, context):
+        text = f"Boxmorph: {progress_text(_Running.search.progress)}   Esc: Cancel"
+        workspace = bpy.data.workspaces.get(self._workspace)
+        if workspace is not None:
+            workspace.status_text_set(text)
+        redraw_panels(context)
+
+    def _clear(self, context):
+        _Running.search = None
+        if self._timer is not None:
+            context.window_manager.event_timer_remove(self._timer)
+            self._timer = None
+        if _on_undo in bpy.app.handlers.undo_post:
+            bpy.app.handlers.undo_post.remove(_on_undo)
+        workspace = bpy.data.workspaces.get(self._workspace)
+        if workspace is not None:
+            workspace.status_text_set(None)
+        redraw_panels(context)
+
+
+class BOXMORPH_OT_cancel(bpy.types.Operator):
+    """Stop the search and leave the object as it was"""
+
+    bl_idname = "boxmorph.cancel"
+    bl_label = "Cancel"
+    bl_options = {"INTERNAL"}
+
+    @classmethod
+    def poll(cls, _context):
+        return _Running.search is not None
+
+    def execute(self, _context):
+        _Running.stop = True
+        return {"FINISHED"}
+
+
+class _OnOutcome:
+    """Shared by operators on one outcome of the active object, named by `key`, else the active shape key."""
+
+    key: StringProperty(
+        name="Shape Key", description="Name of the outcome; empty: the active one", options={"HIDDEN"}
+    )
+
+    @classmethod
+    def poll(cls, context):
+        obj = context.active_object
+        if obj is None or obj.type != "MESH" or not shape_key.records(obj.data):
+            cls.poll_message_set("The active object has no outcome yet. Deform it to a prompt first")
+            return False
+        return True
+
+    def outcome(self, context):
+        """Return the active object, checked, and the key that is meant."""
+        obj = mesh_io.deformable(context.active_object)
+        name = self.key or (obj.active_shape_key.name if obj.active_shape_key else "")
+        made = shape_key.records(obj.data)
+        if name not in made:
+            if self.key:
+                raise Refusal(f"“{obj.name}” has no outcome named “{self.key}”")
+            name = list(made)[-1]
+        return obj, obj.data.shape_keys.key_blocks[name]
+
+
+class BOXMORPH_OT_keyframe_spectrum(_OnOutcome, bpy.types.Operator):
+    """Animate the outcome: keyframe its value from one frame to another, linearly"""
+
+    bl_idname = "boxmorph.keyframe_spectrum"
+    bl_label = "Keyframe Spectrum"
+    bl_options = {"REGISTER", "UNDO"}
+
+    frame_from: IntProperty(name="From Frame", default=1)
+    frame_to: IntProperty(name="To Frame", default=60)
+    alpha_from: FloatProperty(name="From Value", default=0.0)
+    alpha_to: FloatProperty(name="To Value", default=1.0)
+
+    def invoke(self, context, _event):
+        settings = context.scene.boxmorph
+        for name in ("frame_from", "frame_to", "alpha_from", "alpha_to"):
+            if not self.properties.is_property_set(name):
+                setattr(self, name, getattr(settings, name))
+        return self.execute(context)
+
+    def execute(self, context):
+        try:
+            _obj, key = self.outcome(context)
+            keyframes.keyframe_spectrum(key, self.frame_from, self.frame_to, self.alpha_from, self.alpha_to)
+        except Refusal as refusal:
+            self.report({"ERROR"}, str(refusal))
+            return {"CANCELLED"}
+        context.scene.frame_set(context.scene.frame_current)
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_remove_outcome(_OnOutcome, bpy.types.Operator):
+    """Delete the outcome: its shape key, its record and its animation"""
+
+    bl_idname = "boxmorph.remove_outcome"
+    bl_label = "Remove Outcome"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        try:
+            obj, key = self.outcome(context)
+            shape_key.remove_outcome(obj, key.name)
+        except Refusal as refusal:
+            self.report({"ERROR"}, str(refusal))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_show_views(bpy.types.Operator):
+    """Render the four views that the guide sees of the active object as it is now, as the image Boxmorph
+    Views
+    """
+
+    bl_idname = "boxmorph.show_views"
+    bl_label = "Show Views"
+    bl_options = {"REGISTER"}
+
+    def execute(self, context):
+        try:
+            obj = context.active_object
+            if obj is None or obj.type != "MESH":
+                raise Refusal("There is no active mesh object to view. Select one")
+            boxmorph = engine.library()
+            vertices, triangles = mesh_io.shown_arrays(obj, context)
+            try:
+                row = images.render_row(boxmorph, vertices, triangles, renderer=preferences().renderer)
+            except (boxmorph.RenderError, ValueError) as error:
+                raise Refusal(engine.sentence(error)) from error
+        except Refusal as refusal:
+            self.report({"ERROR"}, str(refusal))
+            return {"CANCELLED"}
+        half = row.shape[1] // 2
+        image = images.show(images.stack([row[:, :half], row[:, half:]]))
+        for window in context.window_manager.windows:
+            for area in window.screen.areas:
+                if area.type == "IMAGE_EDITOR" and area.spaces.active.mode == "VIEW":
+                    area.spaces.active.image = image
+        redraw_panels(context)
+        return {"FINISHED"}
+
+
+def progress_text(progress):
+    """Return progress in words: phase, generation, score, time left."""
+    parts = [progress["phase"].replace("_", " ").capitalize()]
+    if progress["generation"]:
+        total = f" of {progress['generations']}" if progress["generations"] else ""
+        parts.append(f"generation {progress['generation']}{total}")
+    if progress["best_score"] is not None:
+        parts.append(f"score {progress['best_score']:.3f}")
+    if progress["seconds_left"] is not None:
+        parts.append(f"{progress['seconds_left']:.0f} s left")
+    return ", ".join(parts)
+
+
+def redraw_panels(context):
+    """Ask for a redraw of the 3D viewports' sidebars in all windows."""
+    for window in context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == "VIEW_3D":
+                for region in area.regions:
+                    if region.type == "UI":
+                        region.tag_redraw()
+
+
+@persistent
+def _on_undo(*_):
+    # What the trial wrote may be undone by now; the next tick cleans up with fresh pointers.
+    _Running.undone = True
+
+
+classes = (
+    BOXMORPH_OT_deform,
+    BOXMORPH_OT_cancel,
+    BOXMORPH_OT_keyframe_spectrum,
+    BOXMORPH_OT_remove_outcome,
+    BOXMORPH_OT_show_views,
+)

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The sidebar tab "Boxmorph": prompt, button, progress, outcomes, keyframes, views, settings of the
+search.
+"""
+
+import bpy
+
+from . import shape_key
+from .images import VIEWS_IMAGE
+from .operators import progress_text, running_progress
+from .preferences import preferences
+
+
+class _Sidebar:
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Boxmorph"
+
+
+class BOXMORPH_PT_main(_Sidebar, bpy.types.Panel):
+    bl_label = "Boxmorph"
+
+    def draw(self, context):
+        layout = self.layout
+        settings = context.scene.boxmorph
+        progress = running_progress()
+        row = layout.row()
+        row.enabled = progress is None
+        row.prop(settings, "prompt", text="", placeholder="a bar stool")
+        if progress is not None:
+            _draw_progress(layout, progress)
+            return
+        row = layout.row()
+        row.scale_y = 1.4
+        row.operator("boxmorph.deform", icon="MOD_SIMPLEDEFORM")
+        row = layout.row(align=True)
+        row.prop(settings, "preset", text="")
+        row.prop(settings, "seed")
+
+
+def _draw_progress(layout, progress):
+    first, _, rest = progress_text(progress).partition(", ")
+    row = layout.row()
+    row.scale_y = 1.4
+    row.progress(factor=min(max(progress["fraction"], 0.0), 1.0), type="BAR", text=first)
+    layout.label(text=rest or " ")
+    layout.operator("boxmorph.cancel", icon="CANCEL")
+
+
+def _outcomes(context):
+    obj = context.active_object
+    return [] if obj is None or obj.type != "MESH" else shape_key.outcomes(obj.data)
+
+
+class BOXMORPH_PT_outcomes(_Sidebar, bpy.types.Panel):
+    bl_label = "Outcomes"
+    bl_parent_id = "BOXMORPH_PT_main"
+
+    @classmethod
+    def poll(cls, context):
+        return running_progress() is None and bool(_outcomes(context))
+
+    def draw(self, context):
+        layout = self.layout
+        settings = context.scene.boxmorph
+        for key in _outcomes(context):
+            row = layout.row(align=True)
+            row.prop(key, "value", text=key.name, slider=True)
+            row.operator("boxmorph.keyframe_spectrum", text="", icon="KEYINGSET").key = key.name
+            row.operator("boxmorph.remove_outcome", text="", icon="X").key = key.name
+        column = layout.column(align=True)
+        row = column.row(align=True)
+        row.prop(settings, "frame_from", text="Frame")
+        row.prop(settings, "frame_to", text="to")
+        row = column.row(align=True)
+        row.prop(settings, "alpha_from", text="Value")
+        row.prop(settings, "alpha_to", text="to")
+        layout.operator("boxmorph.keyframe_spectrum", icon="KEYINGSET")
+
+
+class BOXMORPH_PT_views(_Sidebar, bpy.types.Panel):
+    bl_label = "Views"
+    bl_parent_id = "BOXMORPH_PT_main"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, _context):
+        layout = self.layout
+        layout.operator("boxmorph.show_views", icon="RENDER_RESULT")
+        image = bpy.data.images.get(VIEWS_IMAGE)
+        if image is not None and image.preview is not None:
+            layout.template_icon(icon_value=image.preview.icon_id, scale=9.0)
+
+
+class BOXMORPH_PT_search(_Sidebar, bpy.types.Panel):
+    bl_label = "Search"
+    bl_parent_id = "BOXMORPH_PT_main"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        settings = context.scene.boxmorph
+        layout.prop(settings, "splits")
+        layout.prop(settings, "symmetry")
+        layout.prop(preferences(), "renderer")
+
+
+classes = (BOXMORPH_PT_main, BOXMORPH_PT_outcomes, BOXMORPH_PT_views, BOXMORPH_PT_search)

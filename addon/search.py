@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One search, from an object and a prompt to a kept shape key; the same for the panel, scripts and the
+command line.
+
+A Search is polled: the work runs on threads of the Rust library, and nothing here waits unless asked to.
+"""
+
+import time
+from contextlib import suppress
+
+import numpy as np
+
+from . import engine, mesh_io
+from .errors import Refusal
+from .preferences import preferences
+from .shape_key import Trial
+
+
+class Search:
+    """A running search on one object. Raises Refusal at once for anything that cannot work."""
+
+    def __init__(
+        self, context, obj, prompt, preset="standard", seed=0, splits="auto", symmetry="auto", renderer=None
+    ):
+        self.prompt = engine.clean_prompt(prompt)
+        mesh_io.deformable(obj)
+        self.arrays = mesh_io.object_arrays(obj, context)
+        self._boxmorph = engine.library()
+        guide = engine.open_guide()
+        self.unknown = engine.unknown_words(guide, self.prompt)
+        self.uid, self.object_name = obj.session_uid, obj.name
+        self.shared_by = obj.data.users
+        options = {
+            "splits": "auto" if splits == "auto" else int(splits),
+            "symmetry": symmetry,
+            "renderer": renderer or preferences().renderer,
+        }
+        if self.arrays.points is not None:
+            options["points"] = self.arrays.points
+        try:
+            mesh = self._boxmorph.Mesh(self.arrays.vertices, self.arrays.triangles)
+            self._job = self._boxmorph.Job(
+                mesh, self.prompt, guide=guide, preset=preset, seed=seed, **options
+            )
+            self._job.start()
+        except self._expected() as error:
+            raise Refusal(engine.sentence(error)) from error
+        self._trial = Trial(obj, self.prompt)
+        self._shown_score = None
+        self.progress = self._job.progress()
+        self.result = None
+        self.name = None
+
+    def notes(self):
+        """Return sentences that the user should read before the search: unknown words, left-out modifiers."""
+        notes = []
+        if self.unknown:
+            words = ", ".join(f"“{word}”" for word in self.unknown[:6])
+            notes.append(f"The guide does not know {words} and goes by the other words")
+        if self.arrays.left_out:
+            notes.append(
+                f"Searching on the rest shape, without the modifiers {', '.join(self.arrays.left_out)}"
+            )
+        if self.shared_by > 1:
+            notes.append(f"The mesh has {self.shared_by} users, and all of them get the shape key")
+        return notes
+
+    def poll(self):
+        """Refresh `progress`; return True once the search has ended in any way."""
+        self.progress = self._job.progress()
+        return bool(self.progress["finished"])
+
+    def find_object(self):
+        """Return the object being deformed, or None if it is gone or no longer the mesh that was searched."""
+        obj = mesh_io.object_by_uid(self.uid, self.object_name)
+        if obj is None or not self._trial.fits(obj):
+            return None
+        return obj
+
+    def preview(self, obj):
+        """Show the best so far on `obj`, if it is better than what is shown."""
+        score = self.progress["best_score"]
+        if score is None or score == self._shown_score or obj.mode != "OBJECT":
+            return
+        best = self._job.best()
+        if best is None:
+            return
+        self._shown_score, positions = best
+        self._trial.write(obj, positions / self.arrays.scale)
+
+    def keep(self, obj):
+        """Make the finished search's result the outcome shape key of `obj`. Raises Refusal if it failed."""
+        try:
+            self._job.join()
+            result = self._job.result()
+        except self._expected() as error:
+            raise Refusal(engine.sentence(error)) from error
+        positions = result.vertices if self.arrays.points is None else result.points
+        positions = positions / self.arrays.scale
+        if not np.isfinite(positions).all():
+            raise Refusal("The search ended in coordinates that are not numbers; nothing was changed")
+        report = dict(result.report())
+        report["object"] = self.object_name
+        report["slider"] = [float(result.slider_min), float(result.slider_max)]
+        self.name = self._trial.keep(obj, positions, result.slider_min, result.slider_max, report)
+        report["shape_key"] = self.name
+        self.result, self.report = result, report
+
+    def take_back(self, obj):
+        """Restore `obj` as it was before the search."""
+        self._trial.take_back(obj)
+
+    def cancel(self, wait=False):
+        """Ask the search to stop, which takes a generation at most; with `wait`, stay until it has."""
+        self._job.cancel()
+        if wait:
+            with suppress(*self._expected()):
+                self._job.join()
+
+    def run(self, on_progress=None, interval=0.05):
+        """Wait for the end, calling `on_progress(progress)` about once every `interval` seconds."""
+        while not self.poll():
+            if on_progress is not None:
+                on_progress(self.progress)
+            time.sleep(interval)
+
+    def summary(self):
+        """Return one line on the outcome: prompt, scores, seconds."""
+        r = self.result
+        return f"“{self.name}”: score {r.score_before:.3f} → {r.score_after:.3f} in {r.seconds:.1f} s"
+
+    def _expected(self):
+        b = self._boxmorph
+        return (b.GuideError, b.RenderError, b.Cancelled, ValueError, TypeError, RuntimeError)

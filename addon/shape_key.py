@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Outcomes as shape keys: written relative to the Basis, named after the prompt, recorded on the Key
+data-block.
+
+A key that Boxmorph made is known by its record: JSON in the custom property `boxmorph` of the mesh's Key
+data-block, from key name to report. Only such a key is ever replaced; a key of the artist's own that bears
+the same name stays, and Blender numbers ours.
+"""
+
+import json
+
+import numpy as np
+
+from .mesh_io import key_positions
+
+RECORDS = "boxmorph"
+
+#: Shape key names are at most 63 bytes in Blender 4.2.
+_NAME_BYTES = 60
+
+#: Blender allows no slider outside of these.
+_SLIDER_LIMIT = 10.0
+
+
+def key_name(prompt):
+    """Return the shape key name for a prompt: the prompt itself, cut at a character where it is too long."""
+    return prompt.encode()[:_NAME_BYTES].decode(errors="ignore").rstrip()
+
+
+def records(mesh):
+    """Return the reports of the outcomes of `mesh` that still exist, by key name, oldest first."""
+    keys = mesh.shape_keys
+    if keys is None:
+        return {}
+    try:
+        stored = json.loads(keys.get(RECORDS, "{}"))
+    except (TypeError, ValueError):
+        return {}
+    return {name: report for name, report in stored.items() if name in keys.key_blocks}
+
+
+def outcomes(mesh):
+    """Return the shape keys of `mesh` that are outcomes, oldest first."""
+    return [mesh.shape_keys.key_blocks[name] for name in records(mesh)]
+
+
+def remove_outcome(obj, name):
+    """Delete an outcome: its key, its record and its animation."""
+    keys = obj.data.shape_keys
+    stored = records(obj.data)
+    stored.pop(name, None)
+    key = keys.key_blocks[name]
+    key.driver_remove("value")
+    animation = keys.animation_data
+    if animation is not None and animation.action is not None:
+        from .keyframes import remove_curve
+
+        remove_curve(keys, key.path_from_id("value"))
+    obj.shape_key_remove(key)
+    _store(obj.data.shape_keys, stored)
+
+
+def _store(keys, stored):
+    if stored:
+        keys[RECORDS] = json.dumps(stored, ensure_ascii=False)
+    elif RECORDS in keys:
+        del keys[RECORDS]
+
+
+class Trial:
+    """A shape key on trial: shows the best so far, and is either kept or taken back without a trace.
+
+    Holds names and copies only, never Blender pointers, so that it survives undo, rename and file loading.
+    The object is handed in again at each call.
+    """
+
+    def __init__(self, obj, prompt):
+        keys = obj.data.shape_keys
+        self.had_keys = keys is not None
+        self.active = obj.active_shape_key_index
+        self.pinned = obj.show_only_shape_key
+        self.vertex_count = len(obj.data.vertices)
+        self.previous = None
+        self.others = {}
+        self.name = None
+        self._wanted = key_name(prompt)
+        if keys is None:
+            return
+        for key in outcomes(obj.data):
+            if key.name == self._wanted:
+                self.previous = _KeyState(key)
+            else:
+                self.others[key.name] = key.value
+
+    def fits(self, obj):
+        """Whether `obj` still has the vertices that the search was begun with."""
+        return obj.type == "MESH" and len(obj.data.vertices) == self.vertex_count
+
+    def write(self, obj, positions):
+        """Put `positions`, (n,3) float32, into the key, making it if need be, and show it at value 1."""
+        mesh = obj.data
+        key = self._key(obj)
+        if key is None:
+            key = self._create(obj)
+        key.points.foreach_set("co", np.ascontiguousarray(positions, np.float32).ravel())
+        mesh.update()
+        if key.value != 1.0:
+            key.value = 1.0
+
+    def keep(self, obj, positions, slider_min, slider_max, report):
+        """Make the key an outcome with these slider limits and this record. Returns its name."""
+        self.write(obj, positions)
+        key = self._key(obj)
+        key.slider_min = max(-_SLIDER_LIMIT, min(float(slider_min), 0.0))
+        key.slider_max = min(_SLIDER_LIMIT, max(float(slider_max), 1.0))
+        key.value = 1.0
+        keys = obj.data.shape_keys
+        stored = records(obj.data)
+        stored.pop(self.name, None)
+        stored[self.name] = report
+        _store(keys, stored)
+        return self.name
+
+    def take_back(self, obj):
+        """Restore the keys of `obj` as they were before the trial."""
+        keys = obj.data.shape_keys
+        key = self._key(obj)
+        if key is None or keys is None:
+            return
+        if self.previous is not None:
+            self.previous.restore(key)
+        elif not self.had_keys and len(keys.key_blocks) == 2:
+            obj.shape_key_clear()
+        else:
+            obj.shape_key_remove(key)
+        if obj.data.shape_keys is not None:
+            for name, value in self.others.items():
+                other = obj.data.shape_keys.key_blocks.get(name)
+                if other is not None:
+                    other.value = value
+        obj.active_shape_key_index = self.active
+        obj.show_only_shape_key = self.pinned
+        obj.data.update()
+
+    def _key(self, obj):
+        keys = obj.data.shape_keys
+        if keys is None or self.name is None:
+            return None
+        return keys.key_blocks.get(self.name)
+
+    def _create(self, obj):
+        """Make the key, or take the earlier outcome of the same prompt, and set the other outcomes to 0."""
+        if obj.data.shape_keys is None:
+            obj.shape_key_add(name="Basis", from_mix=False)
+        blocks = obj.data.shape_keys.key_blocks
+        if self.previous is not None and self._wanted in blocks:
+            key = blocks[self._wanted]
+        else:
+            key = obj.shape_key_add(name=self._wanted, from_mix=False)
+        key.relative_key = obj.data.shape_keys.reference_key
+        key.mute = False
+        key.slider_min, key.slider_max = min(key.slider_min, 0.0), max(key.slider_max, 1.0)
+        self.name = key.name
+        # Outcomes are alternatives: one that stayed at 1 would add up with this one.
+        for name in self.others:
+            if name in blocks:
+                blocks[name].value = 0.0
+        obj.active_shape_key_index = blocks.find(self.name)
+        return key
+
+
+class _KeyState:
+    """A copy of all that a trial changes in a shape key."""
+
+    def __init__(self, key):
+        self.positions = key_positions(key)
+        self.relative = key.relative_key.name
+        self.values = (key.slider_min, key.slider_max, key.value, key.mute)
+
+    def restore(self, key):
+        key.points.foreach_set("co", self.positions.ravel())
+        relative = key.id_data.key_blocks.get(self.relative)
+        if relative is not None:
+            key.relative_key = relative
+        key.slider_min, key.slider_max, key.value, key.mute = self.values

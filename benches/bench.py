@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
+"""Measures the stages of a search in one run, each beside a limit or a peer, and prints a table of ratios.
+
+Usage: python benches/bench.py [--rounds N] [--markdown FILE]
+"""
+
+import argparse
+import os
+import platform
+import time
+
+import boxmorph
+import numpy as np
+
+
+def grid_chair(vertices_wanted):
+    """A chair of six islands with about that many vertices, z up: vertices (n, 3), triangles (m, 3)."""
+    legs = [((x - 0.03, y - 0.03, 0), (x + 0.03, y + 0.03, 0.45)) for x in (-0.2, 0.2) for y in (-0.2, 0.2)]
+    boxes = [*legs, ((-0.24, -0.24, 0.44), (0.24, 0.24, 0.5)), ((-0.23, 0.19, 0.49), (0.23, 0.23, 1.0))]
+    side = max(2, round((vertices_wanted / (6 * len(boxes))) ** 0.5))
+    u, v = (c.ravel() for c in np.meshgrid(np.linspace(0, 1, side), np.linspace(0, 1, side)))
+    cell = (np.arange(side - 1)[:, None] * side + np.arange(side - 1)).ravel()
+    quad = np.stack([cell, cell + 1, cell + side + 1, cell + side], 1)
+    face = np.concatenate([quad[:, [0, 1, 2]], quad[:, [0, 2, 3]]])
+    vertices, triangles = [], []
+    for low, high in boxes:
+        for axis in range(3):
+            for end in (0.0, 1.0):
+                unit = np.insert(np.stack([u, v], 1), axis, end, axis=1)
+                triangles.append(face + sum(map(len, vertices)))
+                vertices.append(np.array(low) + unit * (np.array(high) - np.array(low)))
+    return np.concatenate(vertices).astype(np.float32), np.ascontiguousarray(np.concatenate(triangles), np.int32)
+
+
+def best_of(rounds, work):
+    """Least seconds of `rounds` calls, after one that is not counted."""
+    work()
+    times = []
+    for _ in range(rounds):
+        start = time.perf_counter()
+        work()
+        times.append(time.perf_counter() - start)
+    return min(times)
+
+
+def memory_bandwidth():
+    """Bytes a second of a large copy, read and written."""
+    source = np.ones(32_000_000, np.float32)
+    target = np.empty_like(source)
+    return 2 * source.nbytes / best_of(5, lambda: np.copyto(target, source))
+
+
+def onnx_runtime_rate(images):
+    """Images a second of the bare ONNX Runtime on the embedded vision network; None where it is not installed."""
+    try:
+        import onnxruntime
+    except ImportError:
+        return None
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = os.cpu_count()
+    network = os.path.join(os.path.dirname(__file__), "..", "guides", "mini", "vision_model.onnx")
+    session = onnxruntime.InferenceSession(network, options)
+    pixels = (images.transpose(0, 3, 1, 2) / np.float32(127.5) - 1).astype(np.float32)
+    return len(images) / best_of(5, lambda: session.run(None, {"pixel_values": pixels}))
+
+
+def measure(rounds):
+    """Rows of (stage, figure, beside what, ratio)."""
+    rows = []
+    guide = boxmorph.Guide.open()
+    vertices, triangles = grid_chair(20_000)
+    mesh = boxmorph.Mesh(vertices, triangles)
+    shape = f"{len(vertices):,} vertices, {len(triangles):,} triangles"
+
+    seconds = best_of(rounds, lambda: boxmorph.BoxDefGraph.build(mesh, splits=4))
+    graph = boxmorph.BoxDefGraph.build(mesh, splits=4)
+    rows.append(("graph and field", f"{1e3 * seconds:.0f} ms", shape, ""))
+
+    scales = np.linspace(0.8, 1.3, 3 * graph.parameter_rows, dtype=np.float32).reshape(-1, 3)
+    seconds = best_of(20 * rounds, lambda: graph.deform(scales))
+    bound = (graph.field().nbytes + 2 * vertices.nbytes) / memory_bandwidth()
+    what = f"{scales.size} parameters, one core; memory bandwidth alone {1e3 * bound:.2f} ms"
+    rows.append(("one deformation", f"{1e3 * seconds:.2f} ms", what, f"{seconds / bound:.1f} ×"))
+
+    for size in (guide.image_size, 224):
+        seconds = best_of(rounds, lambda size=size: boxmorph.render(vertices, triangles, size=size, renderer="cpu"))
+        rows.append((f"four views of {size} pixels", f"{1e3 * seconds:.1f} ms", "one candidate alone, CPU", ""))
+
+    images = np.random.default_rng(0).integers(0, 256, (432, guide.image_size, guide.image_size, 3), np.uint8)
+    rate = len(images) / best_of(rounds, lambda: guide.image_embeddings(images))
+    bare = onnx_runtime_rate(images)
+    beside = f"bare ONNX Runtime {bare:,.0f} images/s" if bare else "bare ONNX Runtime is not installed"
+    rows.append(("encoding", f"{rate:,.0f} images/s", beside, f"{rate / bare:.2f} ×" if bare else ""))
+
+    for prompt in ("a bar stool", "a sofa"):
+        job = boxmorph.Job(mesh, prompt, guide=guide, renderer="cpu")
+        job.start()
+        job.join()
+        result = job.result()
+        candidates = result.evaluations / result.seconds
+        what = f"{result.evaluations} candidates, {result.images_encoded} images; {candidates:.0f} candidates/s"
+        rows.append((f"whole job, “{prompt}”", f"{result.seconds:.1f} s", what, ""))
+    return rows
+
+
+def main():
+    """Prints the table, and writes it as Markdown where asked to."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--markdown", help="write the table to this file as well")
+    arguments = parser.parse_args()
+    rows = measure(arguments.rounds)
+    machine = f"{platform.machine()}, {os.cpu_count()} cores, {platform.system()}, boxmorph {boxmorph.__version__}"
+    lines = [f"Machine: {machine}", "", "| stage | figure | beside | ratio |", "|---|---|---|---|"]
+    lines += ["| " + " | ".join(row) + " |" for row in rows]
+    print("\n".join(lines))
+    if arguments.markdown:
+        with open(arguments.markdown, "w", encoding="utf-8") as file:
+            file.write("# Results of `make bench`\n\n" + "\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main()

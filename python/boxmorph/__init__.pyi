@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
+# Vertices are in object coordinates, any unit, z up.
+from os import PathLike
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import metrics as metrics
+
+__version__: str
+
+Symmetry = Literal["auto", "none", "x", "y", "z"]
+Renderer = Literal["auto", "cpu", "gpu"]
+
+class GuideError(Exception): ...
+class RenderError(Exception): ...
+class Cancelled(Exception): ...
+
+class Mesh:
+    """A triangle mesh; the arrays are copied."""
+
+    def __init__(
+        self,
+        vertices: NDArray[np.float32],  # (n, 3), C-contiguous
+        triangles: NDArray[np.uint32] | NDArray[np.int32],  # (m, 3), C-contiguous
+    ) -> None: ...
+    @property
+    def vertices(self) -> NDArray[np.float32]: ...  # (n, 3)
+    @property
+    def triangles(self) -> NDArray[np.uint32]: ...  # (m, 3)
+
+class BoxDefGraph:
+    """Part boxes of a mesh and the constraints between them."""
+
+    @staticmethod
+    def build(mesh: Mesh, splits: int = 3, symmetry: Symmetry = "auto") -> BoxDefGraph: ...
+    @staticmethod
+    def from_parts(
+        mesh: Mesh,
+        box_center: NDArray[np.float32],  # (b, 3)
+        box_half_size: NDArray[np.float32],  # (b, 3)
+        box_side: NDArray[np.integer],  # (b,) 0 mid, 1 pos, 2 neg
+        assignment: NDArray[np.integer],  # (n,) the box that owns each vertex
+        tree_edges: NDArray[np.integer],  # (b - 1, 2) (parent, child), in the order of execution
+        tree_parent_point: NDArray[np.float32],  # (b - 1, 3)
+        tree_child_point: NDArray[np.float32],  # (b - 1, 3)
+        edges: NDArray[np.integer],  # (e, 2) (leader, follower), in the order of execution
+    ) -> BoxDefGraph: ...
+    @property
+    def box_center(self) -> NDArray[np.float32]: ...  # (b, 3)
+    @property
+    def box_half_size(self) -> NDArray[np.float32]: ...  # (b, 3)
+    @property
+    def box_side(self) -> NDArray[np.int8]: ...  # (b,) 0 mid, 1 pos, 2 neg
+    @property
+    def assignment(self) -> NDArray[np.int32]: ...  # (n,)
+    @property
+    def tree_edges(self) -> NDArray[np.int32]: ...  # (b - 1, 2)
+    @property
+    def edges(self) -> NDArray[np.int32]: ...  # (e, 2)
+    @property
+    def parameter_rows(self) -> int: ...  # P, the number of mid and pos boxes
+    @property
+    def symmetry(self) -> Literal["x", "y", "z"] | None: ...
+    def deform(self, scales: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Scale factors (P, 3), 1 = unchanged, to positions (n, 3)."""
+
+    def field(self) -> NDArray[np.float32]:
+        """The field B, (3, P, n): V_a(c) = V_a + sum over p of (c[p, a] - 1) B[a, p]."""
+
+class Guide:
+    """A text–image model. Embeddings are unit vectors."""
+
+    @staticmethod
+    def open(path: str | PathLike[str] | None = None, threads: int | None = None) -> Guide:
+        """Opens a guide's folder; None: the embedded guide. Raises GuideError."""
+
+    def text_embedding(self, text: str) -> NDArray[np.float32]: ...  # (d,)
+    def image_embeddings(self, images: NDArray[np.uint8]) -> NDArray[np.float32]: ...  # (k, h, w, 3) to (k, d)
+    def unknown_words(self, text: str) -> list[str]: ...
+    @property
+    def image_size(self) -> int: ...
+    @property
+    def classes(self) -> list[str]: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def sha256(self) -> str: ...
+
+def render(
+    vertices: NDArray[np.float32],  # (n, 3)
+    triangles: NDArray[np.uint32] | NDArray[np.int32],  # (m, 3)
+    size: int = 224,
+    views: str = "paper",
+    renderer: Renderer = "auto",
+) -> NDArray[np.uint8]:
+    """RGBA images with straight alpha, (views, size, size, 4). Raises RenderError."""
+
+class Job:
+    """A deformation on a thread of its own; not started when made."""
+
+    def __init__(
+        self,
+        mesh: Mesh,
+        prompt: str,
+        guide: Guide | None = None,
+        preset: Literal["standard", "paper"] = "standard",
+        seed: int = 0,
+        *,
+        splits: Literal["auto"] | int | None = None,
+        symmetry: Symmetry = "auto",
+        renderer: Renderer = "auto",
+        keep_size: Literal["diagonal", "height", "off"] = "diagonal",
+        keep_place: Literal["bottom", "off"] = "bottom",
+        points: NDArray[np.float32] | None = None,  # (k, 3), moved by the same field
+    ) -> None: ...
+    def start(self) -> None: ...
+    def progress(self) -> dict[str, Any]:
+        """phase, generation, generations, evaluations, score_before, best_score, fraction, seconds, seconds_left, finished."""
+
+    def best(self) -> tuple[float, NDArray[np.float32]] | None:
+        """Score and positions of the best so far: of `points` where given, else of the mesh."""
+
+    def cancel(self) -> None: ...
+    def join(self) -> None:
+        """Waits for the end. Raises Cancelled, GuideError, RenderError, ValueError or RuntimeError."""
+
+    def result(self) -> Result: ...
+
+class Result:
+    """What a job found."""
+
+    @property
+    def vertices(self) -> NDArray[np.float32]: ...  # (n, 3)
+    @property
+    def points(self) -> NDArray[np.float32] | None: ...  # (k, 3)
+    @property
+    def scales(self) -> NDArray[np.float32]: ...  # (P, 3)
+    @property
+    def score_before(self) -> float: ...
+    @property
+    def score_after(self) -> float: ...
+    @property
+    def evaluations(self) -> int: ...
+    @property
+    def images_encoded(self) -> int: ...
+    @property
+    def seconds(self) -> float: ...
+    @property
+    def graph(self) -> BoxDefGraph: ...
+    @property
+    def slider_min(self) -> float: ...
+    @property
+    def slider_max(self) -> float: ...
+    def report(self) -> dict[str, Any]:
+        """The record: parameters, seed, guide's hash, versions, scores, costs. JSON-ready."""

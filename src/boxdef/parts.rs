@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Part boxes and how they hang together, as plain arrays: what `BoxDefGraph::from_parts` takes.
+
+use glam::Vec3;
+
+use super::error::BoxDefError;
+
+/// Side of a box that lies on the symmetry plane, or belongs to a shape without one.
+pub(crate) const MID: i8 = 0;
+/// Side of a box beyond the symmetry plane.
+pub(crate) const POS: i8 = 1;
+/// Side of the mirror twin of a pos box.
+pub(crate) const NEG: i8 = 2;
+
+/// Part boxes, the owner of every vertex, and the edges between boxes; b boxes, n vertices.
+///
+/// Coordinates are object coordinates. Boxes may stand in any order; the j-th neg box is the twin of the
+/// j-th pos box and shares its parameter row.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Parts {
+    /// Centre of each box (b).
+    pub box_center: Vec<Vec3>,
+    /// Half the extent of each box (b), not below zero.
+    pub box_half_size: Vec<Vec3>,
+    /// Side of each box (b): 0 mid, 1 pos, 2 neg.
+    pub box_side: Vec<i8>,
+    /// Box that owns each vertex (n).
+    pub assignment: Vec<i32>,
+    /// (parent, child) pairs (b − 1) in order of execution: the first parent is the root, and every later
+    /// parent is the root or an earlier child.
+    pub tree_edges: Vec<[i32; 2]>,
+    /// Undeformed constraint point on the parent of each tree edge (b − 1).
+    pub tree_parent_point: Vec<Vec3>,
+    /// Undeformed constraint point on the child of each tree edge (b − 1).
+    pub tree_child_point: Vec<Vec3>,
+    /// (leader, follower) pairs of adjacent boxes (e) in order of execution of the boundary step.
+    pub edges: Vec<[i32; 2]>,
+}
+
+impl Parts {
+    /// Checks everything that the deformation relies on.
+    pub(crate) fn check(&self, vertex_count: usize) -> Result<(), BoxDefError> {
+        let boxes = self.box_center.len();
+        if boxes == 0 {
+            return Err(BoxDefError::NoBoxes);
+        }
+        let per_box = "one for each row of box_center";
+        let per_tree_edge = "one less than there are boxes";
+        for (name, found, expected, why) in [
+            ("box_half_size", self.box_half_size.len(), boxes, per_box),
+            ("box_side", self.box_side.len(), boxes, per_box),
+            ("assignment", self.assignment.len(), vertex_count, "one for each vertex of the mesh"),
+            ("tree_edges", self.tree_edges.len(), boxes - 1, per_tree_edge),
+            ("tree_parent_point", self.tree_parent_point.len(), boxes - 1, per_tree_edge),
+            ("tree_child_point", self.tree_child_point.len(), boxes - 1, per_tree_edge),
+        ] {
+            if found != expected {
+                return Err(BoxDefError::Length { name, found, expected, why });
+            }
+        }
+        for (name, rows) in [
+            ("box_center", &self.box_center),
+            ("box_half_size", &self.box_half_size),
+            ("tree_parent_point", &self.tree_parent_point),
+            ("tree_child_point", &self.tree_child_point),
+        ] {
+            if let Some(row) = rows.iter().position(|v| !v.is_finite()) {
+                return Err(BoxDefError::NotFinite { name, row });
+            }
+        }
+        if let Some(row) = self.box_half_size.iter().position(|v| v.min_element() < 0.0) {
+            return Err(BoxDefError::NegativeSize { row });
+        }
+        self.check_sides()?;
+        check_indices("assignment", boxes, self.assignment.iter().map(|&i| [i, i]))?;
+        check_indices("tree_edges", boxes, self.tree_edges.iter().copied())?;
+        check_indices("edges", boxes, self.edges.iter().copied())?;
+        self.check_tree()?;
+        if let Some(row) = self.edges.iter().position(|[a, b]| a == b) {
+            return Err(BoxDefError::LoopEdge { row, index: self.edges[row][0] });
+        }
+        Ok(())
+    }
+
+    fn check_sides(&self) -> Result<(), BoxDefError> {
+        if let Some(row) = self.box_side.iter().position(|side| ![MID, POS, NEG].contains(side)) {
+            return Err(BoxDefError::Side { row, side: self.box_side[row] });
+        }
+        let count = |side| self.box_side.iter().filter(|&&s| s == side).count();
+        let (pos, neg) = (count(POS), count(NEG));
+        if pos == neg { Ok(()) } else { Err(BoxDefError::Twins { pos, neg }) }
+    }
+
+    fn check_tree(&self) -> Result<(), BoxDefError> {
+        let mut reached = vec![false; self.box_center.len()];
+        for (row, &[parent, child]) in self.tree_edges.iter().enumerate() {
+            if row == 0 {
+                reached[parent as usize] = true;
+            }
+            let why = if !reached[parent as usize] {
+                "its parent is not reached by the rows before it; order the edges from the root outwards"
+            } else if reached[child as usize] {
+                "its child is already reached; give every box but the root one parent"
+            } else {
+                reached[child as usize] = true;
+                continue;
+            };
+            return Err(BoxDefError::TreeOrder { row, parent, child, why });
+        }
+        Ok(())
+    }
+
+    /// Parameter row of each box: mid boxes in order, then pos boxes; a neg box has its twin's.
+    pub(crate) fn parameter_rows(&self) -> Vec<usize> {
+        let mids = self.box_side.iter().filter(|&&side| side == MID).count();
+        let (mut mid, mut pos, mut neg) = (0, mids, mids);
+        self.box_side
+            .iter()
+            .map(|&side| {
+                let next = match side {
+                    MID => &mut mid,
+                    POS => &mut pos,
+                    _ => &mut neg,
+                };
+                *next += 1;
+                *next - 1
+            })
+            .collect()
+    }
+}
+
+fn check_indices(
+    name: &'static str,
+    boxes: usize,
+    rows: impl Iterator<Item = [i32; 2]>,
+) -> Result<(), BoxDefError> {
+    for (row, pair) in rows.enumerate() {
+        if let Some(&index) = pair.iter().find(|&&i| !(0..boxes as i32).contains(&i)) {
+            return Err(BoxDefError::BoxIndex { name, row, index, boxes });
+        }
+    }
+    Ok(())
+}

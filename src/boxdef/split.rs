@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Cutting the filled cells into part boxes (paper §3.2).
+//!
+//! A box is scanned along each axis in slabs; where the projected area changes most between two adjacent
+//! slabs is the place to cut: the score is the ratio of the two areas over the length of the axis, and
+//! the lowest score of all boxes is cut first. On the symmetry axis a mid box is cut twice at equal
+//! distances, into a mid box and a pos box; the neg box is the pos box's mirror image.
+//!
+//! Where this differs from the authors' program:
+//! - A number of splits is a budget. A cut must follow a step, not a slope: the areas must change clearly
+//!   more than they do between the slabs next to them. A plain box, a sphere or a cone stays whole.
+//! - Empty layers part a box at once, however narrow they are: separate legs are separate parts.
+//! - Both ends are scanned: a thin top at the far end is found as well as one at the near end.
+//! - The cut is moved to the layer, within a slab, where two prisms hold the piece best.
+//! - The score is also weighed by the share of the box's volume that the pieces' boxes take up.
+//! - A piece whose longest side is short is not worth a box of its own.
+//! - All limits are whole cells, so that no rounding decides between two results.
+
+use super::occupancy::{CELL, CellBox, Occupancy};
+use super::parts::{MID, POS};
+
+/// Cells to a slab: 0.1 of the frame's unit.
+const SLAB: usize = 10;
+/// What reaches through a cut by no more cells than this belongs to the other side.
+const SHAVING: usize = 3;
+/// Cells to a bin of the projected area: 0.04 of the frame's unit.
+const BIN: usize = 4;
+/// Added to an axis' length in the score, so that short axes do not score without limit.
+const SCORE_LENGTH: f64 = 0.03;
+/// An axis shorter than this share of the longest is not scanned.
+const LEAST_ASPECT: f64 = 0.2;
+/// The longest side of a piece must have this many cells.
+const LEAST_LENGTH: usize = 12;
+/// A cut is worth it where the change of area beyond the surrounding slope is at least to this share.
+const WORTH: f64 = 0.6;
+
+/// A box of cells with what is in it, on its way to a part box.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Piece {
+    /// `MID` or `POS`.
+    pub(crate) side: i8,
+    /// Its share of space: pieces and the neg pieces' mirror images fill the grid without overlap.
+    pub(crate) domain: CellBox,
+    /// The filled cells in it.
+    pub(crate) tight: CellBox,
+}
+
+/// A place to cut a piece: before the cells with index `at`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Cut {
+    axis: usize,
+    at: usize,
+    score: f64,
+}
+
+/// Mid pieces, then pos pieces, after at most `splits` cuts.
+///
+/// Takes cells out of the grid: those that a cut leaves on the wrong side.
+pub(crate) fn split(occupancy: &mut Occupancy, splits: u32, axis: Option<usize>) -> Vec<Piece> {
+    let whole = occupancy.whole();
+    let tight = occupancy.tighten(&whole).unwrap_or(whole);
+    let mut splitter = Splitter { occupancy, symmetry: axis };
+    let first = Piece { side: MID, domain: whole, tight };
+    let mut pieces = vec![(first, splitter.best_cut(&first))];
+    for _ in 0..splits {
+        let Some((index, cut)) = lowest(&pieces) else { break };
+        let (piece, _) = pieces.remove(index);
+        splitter.shave(&piece, cut);
+        for child in splitter.cut(&piece, cut) {
+            pieces.push((child, splitter.best_cut(&child)));
+        }
+    }
+    let mut pieces: Vec<Piece> = pieces.into_iter().map(|(piece, _)| piece).collect();
+    pieces.sort_by_key(|piece| piece.side);
+    pieces
+}
+
+/// The piece with the lowest score; mid before pos, then the earlier one.
+fn lowest(pieces: &[(Piece, Option<Cut>)]) -> Option<(usize, Cut)> {
+    let cuts = pieces.iter().enumerate().filter_map(|(i, (piece, cut))| cut.map(|cut| (i, piece.side, cut)));
+    cuts.min_by(|a, b| a.2.score.total_cmp(&b.2.score).then(a.1.cmp(&b.1))).map(|(i, _, cut)| (i, cut))
+}
+
+struct Splitter<'a> {
+    occupancy: &'a mut Occupancy,
+    symmetry: Option<usize>,
+}
+
+impl Splitter<'_> {
+    /// The best cut of a piece that is worth it.
+    fn best_cut(&self, piece: &Piece) -> Option<Cut> {
+        let occupancy = &*self.occupancy;
+        let longest = piece.tight.longest() as f64;
+        let mut cuts = Vec::new();
+        for axis in 0..3 {
+            let profile = Profile::of(occupancy, &piece.tight, axis, self.is_doubled(piece, axis));
+            self.gap_cuts(piece, axis, &profile.layers, &mut cuts);
+            if piece.tight.extent(axis) as f64 > LEAST_ASPECT * longest {
+                for from_high in [false, true] {
+                    self.slab_cuts(piece, axis, from_high, &profile, &mut cuts);
+                }
+            }
+        }
+        let cuts = cuts.into_iter().filter_map(|cut| {
+            let children = self.cut(piece, cut);
+            let doubled = self.is_doubled(piece, cut.axis);
+            let kept = children.len() > usize::from(!doubled)
+                && children.iter().all(|child| child.tight.longest() >= LEAST_LENGTH);
+            let weight = |child: &Piece| if doubled && child.side == POS { 2.0 } else { 1.0 };
+            let volume: f64 = children.iter().map(|c| weight(c) * c.tight.volume() as f64).sum();
+            let share = volume / piece.tight.volume() as f64;
+            kept.then_some((cut.score * share, !doubled, share, cut))
+        });
+        let best = cuts.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.total_cmp(&b.2)));
+        best.map(|(score, .., cut)| Cut { score, ..cut })
+    }
+
+    /// The pieces that a cut leaves; a neg piece goes without saying.
+    fn cut(&self, piece: &Piece, cut: Cut) -> Vec<Piece> {
+        let Cut { axis, at, .. } = cut;
+        let part = |side, low, high| {
+            let domain = piece.domain.with(axis, low, high);
+            Some(Piece { side, domain, tight: self.occupancy.tighten(&domain)? })
+        };
+        let (low, high) = (piece.domain.low[axis], piece.domain.high[axis]);
+        if !self.is_doubled(piece, axis) {
+            return [part(piece.side, at, high), part(piece.side, low, at)].into_iter().flatten().collect();
+        }
+        let middle = self.occupancy.size()[axis] / 2;
+        let away = at.abs_diff(middle);
+        let inner = part(MID, middle - away, middle + away);
+        [inner, part(POS, middle + away, high)].into_iter().flatten().collect()
+    }
+
+    /// Cuts in the middle of runs of empty layers.
+    fn gap_cuts(&self, piece: &Piece, axis: usize, layers: &[u32], cuts: &mut Vec<Cut>) {
+        let low = piece.tight.low[axis];
+        let middle = self.occupancy.size()[axis] / 2;
+        let mut start = 0;
+        while start < layers.len() {
+            if layers[start] > 0 {
+                start += 1;
+                continue;
+            }
+            let run = layers[start..].iter().take_while(|&&count| count == 0).count();
+            let (from, to) = (low + start, low + start + run);
+            let over_plane = self.is_doubled(piece, axis) && (from..=to).contains(&middle);
+            let at = if over_plane { middle } else { (from + to) / 2 };
+            cuts.push(Cut { axis, at, score: 0.0 });
+            start += run;
+        }
+    }
+
+    /// Cuts between slabs, where the area steps.
+    fn slab_cuts(&self, piece: &Piece, axis: usize, from_high: bool, profile: &Profile, cuts: &mut Vec<Cut>) {
+        let count = piece.tight.extent(axis) / SLAB;
+        if count < 2 {
+            return;
+        }
+        let low = if from_high { piece.tight.high[axis] - count * SLAB } else { piece.tight.low[axis] };
+        let areas = self.slab_areas(&piece.tight.with(axis, low, low + count * SLAB), axis);
+        let length = piece.tight.extent(axis) as f64 * CELL;
+        let change = |i: usize| (areas[i] / areas[i - 1]).ln();
+        for i in 1..count {
+            let here = change(i);
+            // The slope around the cut, as far as it goes the same way.
+            let before = if i > 1 { change(i - 1) * here.signum() } else { 0.0 };
+            let after = if i + 1 < count { change(i + 1) * here.signum() } else { 0.0 };
+            let slope = before.max(after).max(0.0);
+            if slope - here.abs() > WORTH.ln() {
+                continue;
+            }
+            let at = profile.sharpen(low + i * SLAB - piece.tight.low[axis]) + piece.tight.low[axis];
+            if !self.leaves_sliver(piece, axis, at) {
+                cuts.push(Cut { axis, at, score: (-here.abs()).exp() / (length + SCORE_LENGTH) });
+            }
+        }
+    }
+
+    /// Whether a double cut would leave next to nothing between its two planes.
+    fn leaves_sliver(&self, piece: &Piece, axis: usize, at: usize) -> bool {
+        let middle = self.occupancy.size()[axis] / 2;
+        self.is_doubled(piece, axis) && at.abs_diff(middle) < BIN / 2
+    }
+
+    /// Whether a piece is cut at both sides of the plane at once.
+    fn is_doubled(&self, piece: &Piece, axis: usize) -> bool {
+        piece.side == MID && self.symmetry == Some(axis)
+    }
+
+    /// Takes out what a cut leaves of one part on the side of the other: columns that reach through the
+    /// cut by a few cells only, such as the top of a fuselage at the foot of its fin. Where nothing would
+    /// be left of a side, it stays.
+    fn shave(&mut self, piece: &Piece, Cut { axis, at, .. }: Cut) {
+        let middle = self.occupancy.size()[axis] / 2;
+        let doubled = self.is_doubled(piece, axis);
+        let at = if doubled { middle + at.abs_diff(middle) } else { at };
+        for upwards in [false, true] {
+            let mut shavings = Vec::new();
+            let mut others = false;
+            let layer = if upwards { at } else { at - 1 };
+            self.occupancy.for_each_filled(&piece.tight.with(axis, layer, layer + 1), |cell| {
+                let depth = self.depth(cell, axis, upwards);
+                let mut beyond = cell;
+                beyond[axis] = if upwards { at - 1 } else { at };
+                if depth > SHAVING || !self.occupancy.is_filled(beyond) {
+                    others = true;
+                } else {
+                    shavings.push((cell, depth));
+                }
+            });
+            if !others {
+                continue;
+            }
+            for (mut cell, depth) in shavings {
+                for _ in 0..depth {
+                    self.occupancy.clear(cell);
+                    if doubled {
+                        self.occupancy.clear(self.occupancy.mirrored(cell, axis));
+                    }
+                    cell[axis] = if upwards { cell[axis] + 1 } else { cell[axis] - 1 };
+                }
+            }
+        }
+    }
+
+    /// Number of filled cells in a row, `SHAVING` + 1 at most, from a cell on along an axis.
+    fn depth(&self, mut cell: [usize; 3], axis: usize, upwards: bool) -> usize {
+        // The grid's empty rim ends every row before the grid does.
+        (0..=SHAVING)
+            .take_while(|_| {
+                let filled = self.occupancy.is_filled(cell);
+                if filled {
+                    cell[axis] = if upwards { cell[axis] + 1 } else { cell[axis] - 1 };
+                }
+                filled
+            })
+            .count()
+    }
+
+    /// Projected area of each slab along an axis, in bins.
+    fn slab_areas(&self, cells: &CellBox, axis: usize) -> Vec<f64> {
+        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+        let bins = [cells.extent(u).div_ceil(BIN), cells.extent(v).div_ceil(BIN)];
+        let slab_bins = bins[0] * bins[1];
+        let mut seen = vec![false; cells.extent(axis) / SLAB * slab_bins];
+        self.occupancy.for_each_filled(cells, |cell| {
+            let slab = (cell[axis] - cells.low[axis]) / SLAB;
+            let bin = (cell[u] - cells.low[u]) / BIN * bins[1] + (cell[v] - cells.low[v]) / BIN;
+            seen[slab * slab_bins + bin] = true;
+        });
+        let count = |slab: &[bool]| slab.iter().filter(|&&s| s).count() as f64;
+        // An empty slab counts as a thousandth of a bin: far below any other, and still a number.
+        seen.chunks(slab_bins).map(|slab| count(slab).max(1e-3)).collect()
+    }
+}
+
+/// A piece seen along an axis, layer by layer.
+struct Profile {
+    /// Number of filled cells of each layer.
+    layers: Vec<u32>,
+    /// Whether the piece is cut on both sides of its middle at once.
+    doubled: bool,
+    /// Area seen of the layers below each layer; where doubled, of those nearer to the middle.
+    inner: Vec<u64>,
+    /// Area seen of each layer and those above; where doubled, of those farther from the middle.
+    outer: Vec<u64>,
+}
+
+impl Profile {
+    fn of(occupancy: &Occupancy, cells: &CellBox, axis: usize, doubled: bool) -> Self {
+        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+        let count = cells.extent(axis);
+        let half = count / 2;
+        // A doubled piece is symmetric, so its number of layers is even.
+        let (reach, fold): (usize, &dyn Fn(usize) -> usize) = if doubled {
+            (half, &|layer| if layer < half { half - 1 - layer } else { layer - half })
+        } else {
+            (count, &|layer| layer)
+        };
+        let mut layers = vec![0; count];
+        // First and last filled layer of each column along the axis.
+        let mut columns = vec![(usize::MAX, 0); cells.extent(u) * cells.extent(v)];
+        occupancy.for_each_filled(cells, |cell| {
+            let layer = cell[axis] - cells.low[axis];
+            layers[layer] += 1;
+            let column = &mut columns[(cell[u] - cells.low[u]) * cells.extent(v) + cell[v] - cells.low[v]];
+            let folded = fold(layer).min(reach - 1);
+            *column = (column.0.min(folded), column.1.max(folded));
+        });
+        let (mut inner, mut outer) = (vec![0; reach + 1], vec![0; reach + 1]);
+        for &(first, last) in columns.iter().filter(|column| column.0 != usize::MAX) {
+            inner[first + 1] += 1;
+            outer[last] += 1;
+        }
+        for layer in 0..reach {
+            inner[layer + 1] += inner[layer];
+            outer[reach - 1 - layer] += outer[reach - layer];
+        }
+        Self { layers, doubled, inner, outer }
+    }
+
+    /// Volume of the prisms, each with the outline of its side of a cut, that hold the piece.
+    fn prisms(&self, at: usize) -> u64 {
+        let half = self.layers.len() / 2;
+        let at = if self.doubled { at.abs_diff(half) } else { at };
+        self.inner[at] * at as u64 + self.outer[at] * (self.outer.len() - 1 - at) as u64
+    }
+
+    /// The cut within a slab either way of `at` with the least prisms; of equals the one nearest to `at`.
+    fn sharpen(&self, at: usize) -> usize {
+        let candidates = (at + 1).saturating_sub(SLAB).max(1)..(at + SLAB).min(self.layers.len());
+        candidates.min_by_key(|&k| (self.prisms(k), k.abs_diff(at))).unwrap_or(at)
+    }
+}

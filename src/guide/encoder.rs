@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! One ONNX network: tokens or images in, embeddings out.
+
+use std::sync::{Mutex, MutexGuard};
+
+use ort::environment::Environment;
+use ort::session::Session;
+use ort::session::builder::GraphOptimizationLevel;
+use ort::value::{Tensor, TensorRef, ValueType};
+use rayon::prelude::*;
+
+use super::GuideError;
+use super::preprocess::Preprocess;
+use super::text::Tokens;
+
+/// A network, opened once or once a thread (a session runs one batch at a time).
+pub struct Encoder {
+    file: &'static str,
+    sessions: Vec<Mutex<Worker>>,
+    inputs: Vec<String>,
+    output: String,
+}
+
+struct Worker {
+    session: Session,
+    pixels: Vec<f32>,
+}
+
+impl Encoder {
+    pub fn open(
+        environment: &Environment,
+        file: &'static str,
+        model: &[u8],
+        sessions: usize,
+        intra_threads: usize,
+    ) -> Result<Self, GuideError> {
+        let bad = |reason: String| GuideError::BadModel { file, reason };
+        let open = || -> Result<Session, GuideError> {
+            let builder = Session::builder(environment).map_err(|e| bad(e.to_string()))?;
+            builder
+                .with_optimization_level(GraphOptimizationLevel::Level3)
+                .and_then(|b| b.with_intra_threads(intra_threads))
+                .and_then(|b| b.with_inter_threads(1))
+                .map_err(|e| bad(e.to_string()))?
+                .commit_from_memory(model)
+                .map_err(|e| bad(e.to_string()))
+        };
+        let first = open()?;
+        let inputs = first.inputs().iter().map(|input| input.name().to_owned()).collect::<Vec<_>>();
+        let output = embedding_output(&first).ok_or_else(|| bad("it has no embedding output".into()))?;
+        let mut all = vec![first];
+        for _ in 1..sessions {
+            all.push(open()?);
+        }
+        let sessions =
+            all.into_iter().map(|session| Mutex::new(Worker { session, pixels: Vec::new() })).collect();
+        Ok(Self { file, sessions, inputs, output })
+    }
+
+    /// The embedding of one prompt.
+    pub fn encode_tokens(&self, tokens: &Tokens) -> Result<Vec<f32>, GuideError> {
+        let run = |e: ort::Error| self.run_error(&e);
+        let shape = [1, tokens.ids.len()];
+        let mut feed = Vec::new();
+        for name in &self.inputs {
+            let values = if name.contains("mask") { &tokens.mask } else { &tokens.ids };
+            let tensor = Tensor::from_array((shape, values.clone())).map_err(run)?;
+            feed.push((name.clone(), tensor.into_dyn()));
+        }
+        let mut worker = self.lock(0)?;
+        let outputs = worker.session.run(feed).map_err(run)?;
+        let (_, data) = outputs[self.output.as_str()].try_extract_tensor::<f32>().map_err(run)?;
+        Ok(data.to_vec())
+    }
+
+    /// The embeddings of RGB images, in batches of `batch` shared out over the sessions.
+    pub fn encode_images(
+        &self,
+        images: &[u8],
+        preprocess: &Preprocess,
+        batch: usize,
+    ) -> Result<Vec<f32>, GuideError> {
+        let image_bytes = (preprocess.size as usize).pow(2) * 3;
+        let batches: Vec<&[u8]> = images.chunks(image_bytes * batch).collect();
+        let encoded: Result<Vec<Vec<f32>>, GuideError> = batches
+            .par_iter()
+            .map(|images| self.encode_batch(images, preprocess, images.len() / image_bytes))
+            .collect();
+        Ok(encoded?.concat())
+    }
+
+    fn encode_batch(
+        &self,
+        images: &[u8],
+        preprocess: &Preprocess,
+        count: usize,
+    ) -> Result<Vec<f32>, GuideError> {
+        let run = |e: ort::Error| self.run_error(&e);
+        let side = preprocess.size as usize;
+        let mut worker = self.lock(rayon::current_thread_index().unwrap_or(0))?;
+        let Worker { session, pixels } = &mut *worker;
+        preprocess.apply(images, pixels);
+        let tensor = TensorRef::from_array_view(([count, 3, side, side], pixels.as_slice())).map_err(run)?;
+        let outputs = session.run(ort::inputs![self.inputs[0].as_str() => tensor]).map_err(run)?;
+        let (_, data) = outputs[self.output.as_str()].try_extract_tensor::<f32>().map_err(run)?;
+        Ok(data.to_vec())
+    }
+
+    fn lock(&self, index: usize) -> Result<MutexGuard<'_, Worker>, GuideError> {
+        // A free session first; else wait for one's own.
+        let count = self.sessions.len();
+        (0..count).find_map(|k| self.sessions[(index + k) % count].try_lock().ok()).map_or_else(
+            || {
+                self.sessions[index % count].lock().map_err(|_| GuideError::Run {
+                    file: self.file,
+                    reason: "an earlier run broke off".into(),
+                })
+            },
+            Ok,
+        )
+    }
+
+    fn run_error(&self, error: &ort::Error) -> GuideError {
+        GuideError::Run { file: self.file, reason: error.to_string() }
+    }
+}
+
+/// The output that holds one embedding a row: by name, or the first of two dimensions.
+fn embedding_output(session: &Session) -> Option<String> {
+    let rank = |dtype: &ValueType| match dtype {
+        ValueType::Tensor { shape, .. } => shape.len(),
+        _ => 0,
+    };
+    let outputs = session.outputs();
+    let named = outputs.iter().find(|o| o.name().ends_with("_embeds") || o.name() == "pooler_output");
+    named.or_else(|| outputs.iter().find(|o| rank(o.dtype()) == 2)).map(|o| o.name().to_owned())
+}

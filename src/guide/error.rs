@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! What can be wrong with a guide, or with what it is asked.
+
+use thiserror::Error;
+
+/// Why a guide cannot be opened or used.
+#[derive(Debug, Error)]
+pub enum GuideError {
+    /// The folder is not there.
+    #[error("there is no guide folder at \"{0}\"; choose the folder that holds vision_model.onnx")]
+    NoFolder(String),
+    /// A file of the layout is missing.
+    #[error("the guide folder \"{folder}\" has no {file}; copy the whole folder of the model's ONNX export")]
+    MissingFile {
+        /// The guide's folder.
+        folder: String,
+        /// The missing file's name.
+        file: &'static str,
+    },
+    /// A file cannot be read.
+    #[error("the guide's file \"{path}\" cannot be read ({reason}); check its permissions")]
+    Unreadable {
+        /// The file.
+        path: String,
+        /// What the system says.
+        reason: String,
+    },
+    /// A JSON file is not what it should be.
+    #[error("the guide's {file} is damaged ({reason}); copy it from the model's source again")]
+    BadJson {
+        /// The file's name.
+        file: &'static str,
+        /// What is wrong.
+        reason: String,
+    },
+    /// The network cannot be loaded.
+    #[error(
+        "the guide's {file} is not a network that can be used ({reason}); copy it from the model's source again"
+    )]
+    BadModel {
+        /// The file's name.
+        file: &'static str,
+        /// What ONNX Runtime says.
+        reason: String,
+    },
+    /// Text and image embeddings differ in length.
+    #[error(
+        "the guide's text embeddings have {text} numbers and its image embeddings {image}; \
+         take both networks from the same model"
+    )]
+    Dimensions {
+        /// Length of a text embedding.
+        text: usize,
+        /// Length of an image embedding.
+        image: usize,
+    },
+    /// The network gave zeros, NaN or infinities.
+    #[error("the guide gave an embedding without a direction; its network is damaged, copy it again")]
+    BadEmbedding,
+    /// A run failed.
+    #[error("the guide's {file} failed while running ({reason})")]
+    Run {
+        /// The file's name.
+        file: &'static str,
+        /// What ONNX Runtime says.
+        reason: String,
+    },
+    /// ONNX Runtime's library cannot be opened.
+    #[error(
+        "ONNX Runtime's library cannot be opened at \"{path}\" ({reason}); \
+         reinstall Boxmorph, or set ORT_DYLIB_PATH to a libonnxruntime of version 1.24 or later"
+    )]
+    Library {
+        /// Where it was sought.
+        path: String,
+        /// What the loader says.
+        reason: String,
+    },
+    /// The image array has the wrong size.
+    #[error(
+        "the guide reads RGB images of {size} × {size} pixels; {bytes} bytes are not a whole number of them"
+    )]
+    ImageBytes {
+        /// Side of its images.
+        size: u32,
+        /// Bytes given.
+        bytes: usize,
+    },
+    /// There is no prompt.
+    #[error("the prompt is empty; type what the object should become, such as \"a bar stool\"")]
+    EmptyPrompt,
+    /// The prompt is too long.
+    #[error("the prompt has {length} characters; say it in at most {most}")]
+    LongPrompt {
+        /// Its length.
+        length: usize,
+        /// The longest taken.
+        most: usize,
+    },
+    /// No word of the prompt is known.
+    #[error("the guide knows none of these words: {words}; it knows, for example: {examples}")]
+    UnknownPrompt {
+        /// The unknown words.
+        words: String,
+        /// Some names it knows.
+        examples: String,
+    },
+    /// The tokenizer fails on this text.
+    #[error("the guide's tokenizer cannot read this text ({0}); type it in other words")]
+    Tokenize(String),
+}
+
+impl GuideError {
+    /// True where the caller's input is wrong rather than the guide.
+    #[must_use]
+    pub fn is_input(&self) -> bool {
+        matches!(
+            self,
+            Self::ImageBytes { .. }
+                | Self::EmptyPrompt
+                | Self::LongPrompt { .. }
+                | Self::UnknownPrompt { .. }
+        )
+    }
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! How a job can fail.
+
+use std::any::Any;
+use std::sync::Arc;
+
+use thiserror::Error;
+
+use crate::boxdef::BoxDefError;
+use crate::guide::GuideError;
+use crate::render::RenderError;
+use crate::search::{ObjectiveError, SearchError};
+
+/// Why a job gives no outcome. Cheap to clone: it is reported each time the result is asked for.
+#[derive(Debug, Clone, Error)]
+pub enum JobError {
+    /// The user cancelled.
+    #[error("the deformation was cancelled; the object is unchanged")]
+    Cancelled,
+    /// `start` was called twice.
+    #[error("this job was started before; make a new one to run it again")]
+    AlreadyStarted,
+    /// `result` was called too early.
+    #[error("the job has not finished; call start() and join() first")]
+    NotFinished,
+    /// No thread could be had.
+    #[error("no thread could be started for the job ({0}); close other programs and try again")]
+    Thread(String),
+    /// The extra points are not numbers.
+    #[error("the points hold NaN or infinite coordinates; repair the base mesh")]
+    BadPoints,
+    /// A defect of ours.
+    #[error("Boxmorph failed in a way that was not foreseen ({0}); please report it with the object")]
+    Panic(String),
+    /// The guide failed.
+    #[error(transparent)]
+    Guide(Arc<GuideError>),
+    /// The renderer failed.
+    #[error(transparent)]
+    Render(Arc<RenderError>),
+    /// The part graph failed.
+    #[error(transparent)]
+    BoxDef(Arc<BoxDefError>),
+    /// The search failed.
+    #[error(transparent)]
+    Search(Arc<SearchError>),
+}
+
+impl JobError {
+    pub(super) fn from_panic(panic: &(dyn Any + Send)) -> Self {
+        let text = panic.downcast_ref::<&str>().map(ToString::to_string);
+        let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
+        Self::Panic(text.unwrap_or_else(|| "no message".into()))
+    }
+}
+
+impl From<GuideError> for JobError {
+    fn from(error: GuideError) -> Self {
+        Self::Guide(Arc::new(error))
+    }
+}
+
+impl From<RenderError> for JobError {
+    fn from(error: RenderError) -> Self {
+        Self::Render(Arc::new(error))
+    }
+}
+
+impl From<BoxDefError> for JobError {
+    fn from(error: BoxDefError) -> Self {
+        Self::BoxDef(Arc::new(error))
+    }
+}
+
+impl From<SearchError> for JobError {
+    fn from(error: SearchError) -> Self {
+        Self::Search(Arc::new(error))
+    }
+}
+
+impl From<ObjectiveError> for JobError {
+    fn from(error: ObjectiveError) -> Self {
+        match error {
+            ObjectiveError::Guide(error) => error.into(),
+            ObjectiveError::Render(error) => error.into(),
+        }
+    }
+}

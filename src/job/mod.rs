@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! A deformation job: mesh and prompt in, outcome out, on a thread of its own.
+
+mod error;
+mod outcome;
+mod progress;
+mod run;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Mutex};
+use std::thread::JoinHandle;
+
+use glam::Vec3;
+
+pub use error::JobError;
+pub use outcome::Outcome;
+pub use progress::Progress;
+
+use crate::boxdef::Symmetry;
+use crate::guide::Guide;
+use crate::mesh::Mesh;
+use crate::render::Backend;
+use crate::search::{KeepPlace, KeepSize, Preset};
+use progress::Harness;
+
+/// What a job is to do. The guide is shared: it is opened once a session.
+#[derive(Debug, Clone)]
+pub struct JobSpec {
+    /// The object as it is seen (modifiers applied), in object coordinates, z up.
+    pub mesh: Mesh,
+    /// What it should become.
+    pub prompt: String,
+    /// Who judges.
+    pub guide: Arc<Guide>,
+    /// The budget.
+    pub preset: Preset,
+    /// Same seed, same outcome.
+    pub seed: u64,
+    /// Split count; `None` tries those of the preset and keeps the best.
+    pub splits: Option<u32>,
+    /// Symmetry of the part boxes.
+    pub symmetry: Symmetry,
+    /// Who draws.
+    pub backend: Backend,
+    /// Size kept by the gauge.
+    pub keep_size: KeepSize,
+    /// Place kept by the gauge.
+    pub keep_place: KeepPlace,
+    /// Further points to be moved by the same field, such as a base mesh under modifiers.
+    pub points: Option<Vec<Vec3>>,
+}
+
+/// A running or finished deformation. Dropping it cancels the work.
+#[derive(Debug)]
+pub struct Job {
+    spec: Arc<JobSpec>,
+    harness: Arc<Harness>,
+    thread: Mutex<Option<JoinHandle<()>>>,
+    outcome: Arc<Mutex<Option<Result<Arc<Outcome>, JobError>>>>,
+}
+
+impl Job {
+    /// Checks the prompt; nothing runs yet.
+    pub fn new(spec: JobSpec) -> Result<Self, JobError> {
+        spec.guide.check_prompt(&spec.prompt)?;
+        if let Some(points) = &spec.points
+            && points.iter().any(|p| !p.is_finite())
+        {
+            return Err(JobError::BadPoints);
+        }
+        Ok(Self {
+            spec: Arc::new(spec),
+            harness: Arc::new(Harness::default()),
+            thread: Mutex::new(None),
+            outcome: Arc::new(Mutex::new(None)),
+        })
+    }
+
+    /// Starts the work on a thread of its own.
+    pub fn start(&self) -> Result<(), JobError> {
+        let mut thread = lock(&self.thread);
+        if thread.is_some() || lock(&self.outcome).is_some() {
+            return Err(JobError::AlreadyStarted);
+        }
+        let (spec, harness, outcome) = (self.spec.clone(), self.harness.clone(), self.outcome.clone());
+        harness.start();
+        let work = move || {
+            let result = catch_unwind(AssertUnwindSafe(|| run::run(&spec, &harness)));
+            let result = result.unwrap_or_else(|panic| Err(JobError::from_panic(panic.as_ref())));
+            *lock(&outcome) = Some(result.map(Arc::new));
+            harness.finish();
+        };
+        let spawned = std::thread::Builder::new().name("boxmorph-job".into()).spawn(work);
+        *thread = Some(spawned.map_err(|e| JobError::Thread(e.to_string()))?);
+        Ok(())
+    }
+
+    /// Where the work stands.
+    #[must_use]
+    pub fn progress(&self) -> Progress {
+        self.harness.progress()
+    }
+
+    /// Score and positions of the best candidate so far, gauge applied: those of the extra points where
+    /// they were given, else of the mesh.
+    #[must_use]
+    pub fn best(&self) -> Option<(f64, Vec<Vec3>)> {
+        self.harness.best().map(|best| (best.score, best.positions(&self.spec)))
+    }
+
+    /// Asks the work to stop; it does within one generation.
+    pub fn cancel(&self) {
+        self.harness.cancel();
+    }
+
+    /// Waits for the end of the work and says how it ended.
+    pub fn join(&self) -> Result<(), JobError> {
+        let handle = lock(&self.thread).take();
+        if let Some(handle) = handle {
+            handle.join().map_err(|panic| JobError::from_panic(panic.as_ref()))?;
+        }
+        match &*lock(&self.outcome) {
+            Some(Err(error)) => Err(error.clone()),
+            _ => Ok(()),
+        }
+    }
+
+    /// The outcome of a finished job.
+    pub fn result(&self) -> Result<Arc<Outcome>, JobError> {
+        match &*lock(&self.outcome) {
+            Some(result) => result.clone(),
+            None => Err(JobError::NotFinished),
+        }
+    }
+}
+
+impl Drop for Job {
+    fn drop(&mut self) {
+        self.cancel();
+    }
+}
+
+/// Locks, also where another thread panicked while holding the lock: all values here are replaced whole.
+fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! The job's work: a graph and a search per split count, the best of all judged by every image.
+
+use std::sync::Arc;
+
+use glam::Vec3;
+
+use super::outcome::{Best, Outcome, Stage};
+use super::progress::Harness;
+use super::{JobError, JobSpec};
+use crate::boxdef::BoxDefGraph;
+use crate::render::{self, View};
+use crate::report::{GuideRecord, Report};
+use crate::search::{self, Evaluation, Footing, ImagePlan, Objective, StopReason};
+use crate::spectrum::{DEFAULT_RANGE, slider_limits};
+
+/// The winner of one split count, judged by every image.
+struct Finalist {
+    best: Best,
+    before: Evaluation,
+    after: Evaluation,
+    stop: StopReason,
+}
+
+/// Sums over all split counts, for the record.
+#[derive(Default)]
+struct Spent {
+    generations: usize,
+    evaluations: usize,
+    images: usize,
+    renderer: String,
+}
+
+pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
+    harness.update(|p| p.phase = "Reading the prompt".into());
+    let prompt = spec.guide.text_embedding(&spec.prompt)?;
+    let views = render::views_by_name("paper")?;
+    harness.update(|p| p.phase = "Finding the parts".into());
+    let stages = stages(spec, harness)?;
+    let total = stages.len() * spec.preset.max_generations;
+    harness.update(|p| p.generations = total);
+    let mut spent = Spent::default();
+    let mut winner: Option<Finalist> = None;
+    for (index, stage) in stages.iter().enumerate() {
+        let done = index * spec.preset.max_generations;
+        let finalist =
+            search_stage(spec, harness, stage, &prompt, &views, &mut spent, done, winner.as_ref())?;
+        if winner.as_ref().is_none_or(|w| finalist.after.score > w.after.score) {
+            winner = Some(finalist);
+        }
+    }
+    let winner = winner.ok_or(JobError::NotFinished)?;
+    Ok(outcome(spec, harness, winner, spent))
+}
+
+/// The graphs to search. Split counts that give the same boxes are searched once.
+fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError> {
+    let counts = spec.splits.map_or_else(|| spec.preset.splits.to_vec(), |splits| vec![splits]);
+    let mut stages: Vec<Arc<Stage>> = Vec::new();
+    for splits in counts {
+        check(harness)?;
+        let graph = Arc::new(BoxDefGraph::build(&spec.mesh, splits, spec.symmetry)?);
+        let known = |stage: &Arc<Stage>| {
+            stage.graph.box_center() == graph.box_center() && stage.graph.assignment() == graph.assignment()
+        };
+        if stages.iter().any(known) {
+            continue;
+        }
+        let field = Arc::new(graph.field().clone());
+        let points_field = spec.points.as_ref().map(|points| graph.field_at(points)).transpose()?;
+        stages.push(Arc::new(Stage { splits, graph, field, points_field }));
+    }
+    Ok(stages)
+}
+
+#[expect(clippy::too_many_arguments, reason = "one call; a struct would only rename the arguments")]
+fn search_stage(
+    spec: &JobSpec,
+    harness: &Harness,
+    stage: &Arc<Stage>,
+    prompt: &[f32],
+    views: &[View],
+    spent: &mut Spent,
+    generations_before: usize,
+    winner: Option<&Finalist>,
+) -> Result<Finalist, JobError> {
+    let mut objective =
+        Objective::new(&spec.mesh, stage.field.clone(), &spec.guide, prompt, spec.backend, views)?;
+    let unchanged = vec![Vec3::ONE; stage.graph.parameter_rows()];
+    let before = objective.evaluate(std::slice::from_ref(&unchanged), ImagePlan::All)?[0];
+    spent.evaluations += 1;
+    let phase = format!("Searching with {} part boxes", stage.graph.box_center().len());
+    harness.update(|p| {
+        p.phase = phase;
+        p.score_before = Some(before.score);
+    });
+    let total = harness.progress().generations.max(1);
+    let evaluations_before = spent.evaluations;
+    let mut shown = winner.map_or(f64::NEG_INFINITY, |w| w.after.score);
+    let footing = spec.preset.footing.then(|| Footing::of(&stage.graph)).flatten();
+    let found = search::search(&mut objective, footing.as_ref(), &spec.preset, spec.seed, |generation| {
+        let done = generations_before + generation.number;
+        harness.update(|p| {
+            p.generation = done;
+            p.evaluations = evaluations_before + generation.evaluations;
+            p.fraction = done as f64 / total as f64;
+        });
+        if generation.best_score > shown {
+            shown = generation.best_score;
+            let scales = generation.best_scales.to_vec();
+            harness.set_best(Best { score: shown, scales, stage: stage.clone() });
+        }
+        check(harness)
+    })?;
+    spent.generations += found.generations;
+    spent.evaluations += found.evaluations;
+    // The unchanged object competes too: an outcome is never worse than what was given.
+    let finalists = [unchanged, found.scales];
+    let judged = objective.evaluate(&finalists[1..], ImagePlan::All)?[0];
+    spent.evaluations += 1;
+    spent.images += objective.images_encoded();
+    spent.renderer = objective.backend_name();
+    let [unchanged, scales] = finalists;
+    let (scales, after) = if judged.score >= before.score { (scales, judged) } else { (unchanged, before) };
+    let best = Best { score: after.score, scales, stage: stage.clone() };
+    Ok(Finalist { best, before, after, stop: found.stop })
+}
+
+fn outcome(spec: &JobSpec, harness: &Harness, winner: Finalist, spent: Spent) -> Outcome {
+    let Finalist { best, before, after, stop } = winner;
+    let (gauge, vertices) = best.gauged(spec);
+    let points = best.points(gauge);
+    let slider = slider_limits(&best.scales, gauge.scale, DEFAULT_RANGE);
+    let graph = best.stage.graph.clone();
+    harness.update(|p| p.phase = "Done".into());
+    harness.set_best(best.clone());
+    let report = Report {
+        boxmorph: env!("CARGO_PKG_VERSION").into(),
+        prompt: spec.prompt.clone(),
+        unknown_words: spec.guide.unknown_words(&spec.prompt).unwrap_or_default(),
+        guide: GuideRecord { name: spec.guide.name().into(), sha256: spec.guide.hash().into() },
+        preset: spec.preset.name.into(),
+        seed: spec.seed,
+        splits: best.stage.splits,
+        symmetry: graph.symmetry_axis().map(|axis| ["x", "y", "z"][axis].into()),
+        renderer: spent.renderer,
+        vertices: spec.mesh.vertices().len(),
+        triangles: spec.mesh.triangles().len(),
+        boxes: graph.box_center().len(),
+        parameter_rows: graph.parameter_rows(),
+        score_before: before.score,
+        score_after: after.score,
+        normal_error: (after.loss + after.score) / search::NORMAL_WEIGHT,
+        generations: spent.generations,
+        evaluations: spent.evaluations,
+        images_encoded: spent.images,
+        seconds: harness.seconds(),
+        stop_reason: stop.to_string(),
+        scales: best.scales.iter().map(|s| s.to_array()).collect(),
+        gauge_scale: gauge.scale,
+        gauge_shift: gauge.shift.to_array(),
+        slider_min: slider.min,
+        slider_max: slider.max,
+    };
+    Outcome { vertices, points, scales: best.scales, graph, slider, report }
+}
+
+fn check(harness: &Harness) -> Result<(), JobError> {
+    if harness.is_cancelled() { Err(JobError::Cancelled) } else { Ok(()) }
+}

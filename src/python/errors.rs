@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Errors as Python exceptions.
+
+use pyo3::PyErr;
+use pyo3::create_exception;
+use pyo3::exceptions::{PyException, PyRuntimeError, PyValueError};
+
+use crate::boxdef::BoxDefError;
+use crate::guide;
+use crate::job::JobError;
+use crate::mesh::MeshError;
+use crate::metrics::MetricsError;
+use crate::render;
+
+create_exception!(boxmorph, GuideError, PyException, "A guide that cannot be opened or used.");
+create_exception!(boxmorph, RenderError, PyException, "Images that cannot be made.");
+create_exception!(boxmorph, Cancelled, PyException, "The job was cancelled.");
+
+/// Conversion into the exception that Python sees.
+pub trait IntoPyErr {
+    /// The exception, with the error's sentence.
+    fn into_py_err(self) -> PyErr;
+}
+
+impl IntoPyErr for MeshError {
+    fn into_py_err(self) -> PyErr {
+        PyValueError::new_err(self.to_string())
+    }
+}
+
+impl IntoPyErr for BoxDefError {
+    fn into_py_err(self) -> PyErr {
+        PyValueError::new_err(self.to_string())
+    }
+}
+
+impl IntoPyErr for MetricsError {
+    fn into_py_err(self) -> PyErr {
+        PyValueError::new_err(self.to_string())
+    }
+}
+
+impl IntoPyErr for &guide::GuideError {
+    fn into_py_err(self) -> PyErr {
+        if self.is_input() {
+            PyValueError::new_err(self.to_string())
+        } else {
+            GuideError::new_err(self.to_string())
+        }
+    }
+}
+
+impl IntoPyErr for &render::RenderError {
+    fn into_py_err(self) -> PyErr {
+        if self.is_input() {
+            PyValueError::new_err(self.to_string())
+        } else {
+            RenderError::new_err(self.to_string())
+        }
+    }
+}
+
+impl IntoPyErr for JobError {
+    fn into_py_err(self) -> PyErr {
+        match self {
+            Self::Cancelled => Cancelled::new_err(self.to_string()),
+            Self::Guide(error) => error.as_ref().into_py_err(),
+            Self::Render(error) => error.as_ref().into_py_err(),
+            Self::BoxDef(_) | Self::BadPoints => PyValueError::new_err(self.to_string()),
+            error => PyRuntimeError::new_err(error.to_string()),
+        }
+    }
+}

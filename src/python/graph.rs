@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! `Mesh` and `BoxDefGraph`.
+
+use std::sync::Arc;
+
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use super::arrays;
+use super::errors::IntoPyErr;
+use crate::boxdef::{BoxDefGraph, Parts, Symmetry};
+use crate::mesh::Mesh;
+
+/// A triangle mesh: vertices (n, 3) float32, triangles (m, 3) uint32 or int32; copied.
+#[pyclass(frozen, name = "Mesh", module = "boxmorph")]
+pub struct PyMesh(pub Arc<Mesh>);
+
+#[pymethods]
+impl PyMesh {
+    #[new]
+    fn new(vertices: &Bound<'_, PyAny>, triangles: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let vertices = arrays::vectors(vertices, "vertices")?;
+        let triangles = arrays::triangles(triangles, "triangles")?;
+        Ok(Self(Arc::new(Mesh::new(vertices, triangles).map_err(IntoPyErr::into_py_err)?)))
+    }
+
+    #[getter]
+    fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f32>>> {
+        arrays::from_vectors(py, self.0.vertices())
+    }
+
+    #[getter]
+    fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
+        let triangles = self.0.triangles();
+        PyArray1::from_vec(py, triangles.concat()).reshape([triangles.len(), 3])
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Mesh({} vertices, {} triangles)", self.0.vertices().len(), self.0.triangles().len())
+    }
+}
+
+/// Part boxes of a mesh and the constraints between them.
+#[pyclass(frozen, name = "BoxDefGraph", module = "boxmorph")]
+pub struct PyBoxDefGraph(pub Arc<BoxDefGraph>);
+
+/// The symmetry of that name.
+pub fn symmetry(name: &str) -> PyResult<Symmetry> {
+    match name {
+        "auto" => Ok(Symmetry::Auto),
+        "none" => Ok(Symmetry::None),
+        "x" => Ok(Symmetry::X),
+        "y" => Ok(Symmetry::Y),
+        "z" => Ok(Symmetry::Z),
+        _ => Err(PyValueError::new_err(format!(
+            "unknown symmetry \"{name}\": choose \"auto\", \"none\", \"x\", \"y\" or \"z\""
+        ))),
+    }
+}
+
+#[pymethods]
+impl PyBoxDefGraph {
+    #[staticmethod]
+    #[pyo3(signature = (mesh, splits=3, symmetry="auto"))]
+    fn build(py: Python<'_>, mesh: &PyMesh, splits: u32, symmetry: &str) -> PyResult<Self> {
+        let symmetry = self::symmetry(symmetry)?;
+        let graph = py.detach(|| BoxDefGraph::build(&mesh.0, splits, symmetry));
+        Ok(Self(Arc::new(graph.map_err(IntoPyErr::into_py_err)?)))
+    }
+
+    #[staticmethod]
+    #[expect(clippy::too_many_arguments, reason = "the arrays of the reference data, by their names")]
+    fn from_parts(
+        mesh: &PyMesh,
+        box_center: &Bound<'_, PyAny>,
+        box_half_size: &Bound<'_, PyAny>,
+        box_side: &Bound<'_, PyAny>,
+        assignment: &Bound<'_, PyAny>,
+        tree_edges: &Bound<'_, PyAny>,
+        tree_parent_point: &Bound<'_, PyAny>,
+        tree_child_point: &Bound<'_, PyAny>,
+        edges: &Bound<'_, PyAny>,
+    ) -> PyResult<Self> {
+        let side = |s: i32| i8::try_from(s).unwrap_or(i8::MAX);
+        let parts = Parts {
+            box_center: arrays::vectors(box_center, "box_center")?,
+            box_half_size: arrays::vectors(box_half_size, "box_half_size")?,
+            box_side: arrays::integers(box_side, "box_side")?.into_iter().map(side).collect(),
+            assignment: arrays::integers(assignment, "assignment")?,
+            tree_edges: arrays::pairs(tree_edges, "tree_edges")?,
+            tree_parent_point: arrays::vectors(tree_parent_point, "tree_parent_point")?,
+            tree_child_point: arrays::vectors(tree_child_point, "tree_child_point")?,
+            edges: arrays::pairs(edges, "edges")?,
+        };
+        let graph = BoxDefGraph::from_parts(&mesh.0, parts).map_err(IntoPyErr::into_py_err)?;
+        Ok(Self(Arc::new(graph)))
+    }
+
+    #[getter]
+    fn box_center<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f32>>> {
+        arrays::from_vectors(py, self.0.box_center())
+    }
+
+    #[getter]
+    fn box_half_size<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f32>>> {
+        arrays::from_vectors(py, self.0.box_half_size())
+    }
+
+    #[getter]
+    fn box_side<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i8>> {
+        PyArray1::from_slice(py, self.0.box_side())
+    }
+
+    #[getter]
+    fn assignment<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i32>> {
+        PyArray1::from_slice(py, self.0.assignment())
+    }
+
+    #[getter]
+    fn tree_edges<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        arrays::from_pairs(py, self.0.tree_edges())
+    }
+
+    #[getter]
+    fn edges<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        arrays::from_pairs(py, self.0.edges())
+    }
+
+    #[getter]
+    fn parameter_rows(&self) -> usize {
+        self.0.parameter_rows()
+    }
+
+    /// The axis of symmetry, "x", "y" or "z"; None where there is none.
+    #[getter]
+    fn symmetry(&self) -> Option<&'static str> {
+        self.0.symmetry_axis().map(|axis| ["x", "y", "z"][axis])
+    }
+
+    fn deform<'py>(&self, py: Python<'py>, scales: &Bound<'_, PyAny>) -> PyResult<Bound<'py, PyArray2<f32>>> {
+        let scales = arrays::vectors(scales, "scales")?;
+        let positions = self.0.deform(&scales).map_err(IntoPyErr::into_py_err)?;
+        arrays::from_vectors(py, &positions)
+    }
+
+    fn field<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
+        let field = self.0.field();
+        PyArray1::from_slice(py, field.basis()).reshape([3, field.parameter_rows(), field.vertex_count()])
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "BoxDefGraph({} boxes, {} parameter rows)",
+            self.0.box_center().len(),
+            self.0.parameter_rows()
+        )
+    }
+}

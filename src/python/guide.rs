@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! `Guide`.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use pyo3::prelude::*;
+
+use super::arrays;
+use super::errors::IntoPyErr;
+use crate::guide::{self, Guide};
+
+/// Names the ONNX Runtime library to open where ORT_DYLIB_PATH names none.
+#[pyfunction]
+#[expect(clippy::needless_pass_by_value, reason = "pyo3 extracts owned paths")]
+pub fn set_default_library(path: PathBuf) {
+    guide::set_default_library(&path);
+}
+
+/// A text–image model.
+#[pyclass(frozen, name = "Guide", module = "boxmorph")]
+pub struct PyGuide(pub Arc<Guide>);
+
+#[pymethods]
+impl PyGuide {
+    /// Opens the guide in a folder; None opens the embedded one.
+    #[staticmethod]
+    #[pyo3(signature = (path=None, threads=None))]
+    #[expect(clippy::needless_pass_by_value, reason = "pyo3 extracts owned paths")]
+    fn open(py: Python<'_>, path: Option<PathBuf>, threads: Option<usize>) -> PyResult<Self> {
+        let guide = py.detach(|| Guide::open(path.as_deref(), threads));
+        Ok(Self(Arc::new(guide.map_err(|e| IntoPyErr::into_py_err(&e))?)))
+    }
+
+    fn text_embedding<'py>(&self, py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyArray1<f32>>> {
+        let embedding = py.detach(|| self.0.text_embedding(text));
+        Ok(PyArray1::from_vec(py, embedding.map_err(|e| IntoPyErr::into_py_err(&e))?))
+    }
+
+    fn image_embeddings<'py>(
+        &self,
+        py: Python<'py>,
+        images: &Bound<'_, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray2<f32>>> {
+        let images = arrays::images(images, self.0.image_size() as usize)?;
+        let embeddings =
+            py.detach(|| self.0.image_embeddings(&images)).map_err(|e| IntoPyErr::into_py_err(&e))?;
+        let rows = embeddings.len() / self.0.dimension();
+        PyArray1::from_vec(py, embeddings).reshape([rows, self.0.dimension()])
+    }
+
+    fn unknown_words(&self, text: &str) -> PyResult<Vec<String>> {
+        self.0.unknown_words(text).map_err(|e| IntoPyErr::into_py_err(&e))
+    }
+
+    #[getter]
+    fn image_size(&self) -> u32 {
+        self.0.image_size()
+    }
+
+    /// The names it was taught; empty for a guide of general knowledge.
+    #[getter]
+    fn classes(&self) -> Vec<String> {
+        self.0.classes().to_vec()
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        self.0.name()
+    }
+
+    /// SHA-256 over its files.
+    #[getter]
+    fn sha256(&self) -> &str {
+        self.0.hash()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Guide({:?}, images of {} pixels)", self.0.name(), self.0.image_size())
+    }
+}

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! `Job` and its `Result`.
+
+use std::sync::Arc;
+
+use numpy::PyArray2;
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use super::arrays;
+use super::errors::IntoPyErr;
+use super::graph::{self, PyBoxDefGraph, PyMesh};
+use super::guide::PyGuide;
+use crate::guide::Guide;
+use crate::job::{Job, JobSpec, Outcome};
+use crate::search::{KeepPlace, KeepSize, Preset};
+
+/// A deformation on a thread of its own; not started when made.
+#[pyclass(frozen, name = "Job", module = "boxmorph")]
+pub struct PyJob(Job);
+
+#[pymethods]
+impl PyJob {
+    #[new]
+    #[pyo3(signature = (mesh, prompt, guide=None, preset="standard", seed=0, *, splits=None, symmetry="auto",
+                        renderer="auto", keep_size="diagonal", keep_place="bottom", points=None))]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of the Python surface")]
+    fn new(
+        py: Python<'_>,
+        mesh: &PyMesh,
+        prompt: &str,
+        guide: Option<&PyGuide>,
+        preset: &str,
+        seed: u64,
+        splits: Option<&Bound<'_, PyAny>>,
+        symmetry: &str,
+        renderer: &str,
+        keep_size: &str,
+        keep_place: &str,
+        points: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let guide = match guide {
+            Some(guide) => guide.0.clone(),
+            None => Arc::new(py.detach(|| Guide::open(None, None)).map_err(|e| IntoPyErr::into_py_err(&e))?),
+        };
+        let spec = JobSpec {
+            mesh: mesh.0.as_ref().clone(),
+            prompt: prompt.to_owned(),
+            guide,
+            preset: self::preset(preset)?,
+            seed,
+            splits: splits.map(self::splits).transpose()?.flatten(),
+            symmetry: graph::symmetry(symmetry)?,
+            backend: renderer.parse().map_err(|e| IntoPyErr::into_py_err(&e))?,
+            keep_size: self::keep_size(keep_size)?,
+            keep_place: self::keep_place(keep_place)?,
+            points: points.map(|points| arrays::vectors(points, "points")).transpose()?,
+        };
+        Ok(Self(Job::new(spec).map_err(IntoPyErr::into_py_err)?))
+    }
+
+    fn start(&self) -> PyResult<()> {
+        self.0.start().map_err(IntoPyErr::into_py_err)
+    }
+
+    fn progress<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let progress = self.0.progress();
+        let dict = PyDict::new(py);
+        dict.set_item("phase", progress.phase)?;
+        dict.set_item("generation", progress.generation)?;
+        dict.set_item("generations", progress.generations)?;
+        dict.set_item("evaluations", progress.evaluations)?;
+        dict.set_item("score_before", progress.score_before)?;
+        dict.set_item("best_score", progress.best_score)?;
+        dict.set_item("fraction", progress.fraction)?;
+        dict.set_item("seconds", progress.seconds)?;
+        dict.set_item("seconds_left", progress.seconds_left)?;
+        dict.set_item("finished", progress.finished)?;
+        Ok(dict)
+    }
+
+    fn best<'py>(&self, py: Python<'py>) -> PyResult<Option<(f64, Bound<'py, PyArray2<f32>>)>> {
+        let best = py.detach(|| self.0.best());
+        best.map(|(score, positions)| Ok((score, arrays::from_vectors(py, &positions)?))).transpose()
+    }
+
+    fn cancel(&self) {
+        self.0.cancel();
+    }
+
+    fn join(&self, py: Python<'_>) -> PyResult<()> {
+        py.detach(|| self.0.join()).map_err(IntoPyErr::into_py_err)
+    }
+
+    fn result(&self) -> PyResult<PyResult_> {
+        self.0.result().map(PyResult_).map_err(IntoPyErr::into_py_err)
+    }
+}
+
+/// What a job found.
+#[pyclass(frozen, name = "Result", module = "boxmorph")]
+pub struct PyResult_(Arc<Outcome>);
+
+#[pymethods]
+impl PyResult_ {
+    #[getter]
+    fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f32>>> {
+        arrays::from_vectors(py, &self.0.vertices)
+    }
+
+    /// Positions of the extra points; None where none were given.
+    #[getter]
+    fn points<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray2<f32>>>> {
+        self.0.points.as_ref().map(|points| arrays::from_vectors(py, points)).transpose()
+    }
+
+    #[getter]
+    fn scales<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f32>>> {
+        arrays::from_vectors(py, &self.0.scales)
+    }
+
+    #[getter]
+    fn score_before(&self) -> f64 {
+        self.0.report.score_before
+    }
+
+    #[getter]
+    fn score_after(&self) -> f64 {
+        self.0.report.score_after
+    }
+
+    #[getter]
+    fn evaluations(&self) -> usize {
+        self.0.report.evaluations
+    }
+
+    #[getter]
+    fn images_encoded(&self) -> usize {
+        self.0.report.images_encoded
+    }
+
+    #[getter]
+    fn seconds(&self) -> f64 {
+        self.0.report.seconds
+    }
+
+    #[getter]
+    fn graph(&self) -> PyBoxDefGraph {
+        PyBoxDefGraph(self.0.graph.clone())
+    }
+
+    /// Lowest value of the slider.
+    #[getter]
+    fn slider_min(&self) -> f32 {
+        self.0.slider.min
+    }
+
+    /// Highest value of the slider.
+    #[getter]
+    fn slider_max(&self) -> f32 {
+        self.0.slider.max
+    }
+
+    fn report<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let json = serde_json::to_string(&self.0.report).map_err(|e| PyValueError::new_err(e.to_string()))?;
+        py.import("json")?.call_method1("loads", (json,))
+    }
+
+    fn __repr__(&self) -> String {
+        let report = &self.0.report;
+        format!("Result({:?}, score {:.3} → {:.3})", report.prompt, report.score_before, report.score_after)
+    }
+}
+
+fn preset(name: &str) -> PyResult<Preset> {
+    Preset::by_name(name).ok_or_else(|| {
+        let names = Preset::ALL.map(|preset| format!("\"{}\"", preset.name)).join(" or ");
+        PyValueError::new_err(format!("unknown preset \"{name}\": choose {names}"))
+    })
+}
+
+fn splits(value: &Bound<'_, PyAny>) -> PyResult<Option<u32>> {
+    if value.extract::<&str>().is_ok_and(|name| name == "auto") {
+        return Ok(None);
+    }
+    let count: u32 = value
+        .extract()
+        .map_err(|_| PyTypeError::new_err("splits must be \"auto\" or a whole number from 1 to 8"))?;
+    Ok(Some(count))
+}
+
+fn keep_size(name: &str) -> PyResult<KeepSize> {
+    match name {
+        "diagonal" => Ok(KeepSize::Diagonal),
+        "height" => Ok(KeepSize::Height),
+        "off" => Ok(KeepSize::Off),
+        _ => Err(PyValueError::new_err(format!(
+            "unknown keep_size \"{name}\": choose \"diagonal\", \"height\" or \"off\""
+        ))),
+    }
+}
+
+fn keep_place(name: &str) -> PyResult<KeepPlace> {
+    match name {
+        "bottom" => Ok(KeepPlace::BottomCenter),
+        "off" => Ok(KeepPlace::Off),
+        _ => {
+            Err(PyValueError::new_err(format!("unknown keep_place \"{name}\": choose \"bottom\" or \"off\"")))
+        }
+    }
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! The Python module: the only place that knows Python. Arrays in, arrays out, errors as exceptions.
+
+mod arrays;
+mod errors;
+mod graph;
+mod guide;
+mod job;
+mod metrics;
+mod render;
+
+use pyo3::prelude::*;
+
+/// The native module; `boxmorph/__init__.py` re-exports it.
+#[pymodule]
+mod _boxmorph {
+    use super::{Bound, PyModule, PyModuleMethods, PyResult};
+
+    #[pymodule_export]
+    use super::errors::{Cancelled, GuideError, RenderError};
+    #[pymodule_export]
+    use super::graph::{PyBoxDefGraph, PyMesh};
+    #[pymodule_export]
+    use super::guide::{PyGuide, set_default_library};
+    #[pymodule_export]
+    use super::job::{PyJob, PyResult_};
+    #[pymodule_export]
+    use super::metrics::metrics;
+    #[pymodule_export]
+    use super::render::render;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! `render`.
+
+use numpy::{PyArray1, PyArray4, PyArrayMethods};
+use pyo3::prelude::*;
+
+use super::arrays;
+use super::errors::IntoPyErr;
+use crate::render::{Backend, RenderError, render_positions, views_by_name};
+
+/// Renders a mesh as the guide sees it: RGBA with straight alpha, (views, size, size, 4) uint8.
+#[pyfunction]
+#[pyo3(signature = (vertices, triangles, size=224, views="paper", renderer="auto"))]
+pub fn render<'py>(
+    py: Python<'py>,
+    vertices: &Bound<'_, PyAny>,
+    triangles: &Bound<'_, PyAny>,
+    size: u32,
+    views: &str,
+    renderer: &str,
+) -> PyResult<Bound<'py, PyArray4<u8>>> {
+    let vertices = arrays::vectors(vertices, "vertices")?;
+    let triangles = arrays::triangles(triangles, "triangles")?;
+    let images = py.detach(|| -> Result<_, RenderError> {
+        let views = views_by_name(views)?;
+        let backend: Backend = renderer.parse()?;
+        Ok((views.len(), render_positions(backend, &vertices, &triangles, &views, size)?))
+    });
+    let (views, bytes) = images.map_err(|e| IntoPyErr::into_py_err(&e))?;
+    PyArray1::from_vec(py, bytes).reshape([views, size as usize, size as usize, 4])
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! The objective: how little a candidate looks like the prompt, and how much its surface is bent (paper §4).
+
+use std::sync::Arc;
+
+use glam::Vec3;
+use rayon::prelude::*;
+use thiserror::Error;
+
+use super::preset::{ImagePlan, NORMAL_WEIGHT};
+use crate::boxdef::DeformField;
+use crate::guide::{Guide, GuideError};
+use crate::mesh::Mesh;
+use crate::render::{self, BACKGROUNDS, Backend, RenderError, Renderer, View};
+
+/// Why candidates cannot be evaluated.
+#[derive(Debug, Error)]
+pub enum ObjectiveError {
+    /// The guide failed.
+    #[error(transparent)]
+    Guide(#[from] GuideError),
+    /// The renderer failed.
+    #[error(transparent)]
+    Render(#[from] RenderError),
+}
+
+/// What one candidate is worth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Evaluation {
+    /// Mean cosine between its images and the prompt; higher is better.
+    pub score: f64,
+    /// `−score + 0.25 · normal error`; lower is better.
+    pub loss: f64,
+}
+
+/// Scores candidates of one field against one prompt.
+pub struct Objective<'a> {
+    mesh: &'a Mesh,
+    field: Arc<DeformField>,
+    guide: &'a Guide,
+    prompt: &'a [f32],
+    renderer: Box<dyn Renderer>,
+    rest_normals: Vec<Vec3>,
+    rgba: Vec<u8>,
+    rgb: Vec<u8>,
+    images_encoded: usize,
+}
+
+impl<'a> Objective<'a> {
+    /// Opens a renderer for the field. `prompt` is the guide's unit embedding of the prompt.
+    pub fn new(
+        mesh: &'a Mesh,
+        field: Arc<DeformField>,
+        guide: &'a Guide,
+        prompt: &'a [f32],
+        backend: Backend,
+        views: &[View],
+    ) -> Result<Self, ObjectiveError> {
+        let triangles = mesh.triangles().into();
+        let renderer = render::open(backend, field.clone(), triangles, views, guide.image_size())?;
+        let rest_normals = mesh.vertex_normals(mesh.vertices());
+        Ok(Self {
+            mesh,
+            field,
+            guide,
+            prompt,
+            renderer,
+            rest_normals,
+            rgba: Vec::new(),
+            rgb: Vec::new(),
+            images_encoded: 0,
+        })
+    }
+
+    /// Parameter rows of the field.
+    #[must_use]
+    pub fn parameter_rows(&self) -> usize {
+        self.field.parameter_rows()
+    }
+
+    /// Images encoded so far.
+    #[must_use]
+    pub fn images_encoded(&self) -> usize {
+        self.images_encoded
+    }
+
+    /// The renderer's name.
+    #[must_use]
+    pub fn backend_name(&self) -> String {
+        self.renderer.backend_name()
+    }
+
+    /// Evaluates a generation: one row of scale factors per parameter row and candidate.
+    pub fn evaluate(
+        &mut self,
+        candidates: &[Vec<Vec3>],
+        plan: ImagePlan,
+    ) -> Result<Vec<Evaluation>, ObjectiveError> {
+        self.renderer.render(candidates, &mut self.rgba)?;
+        let pairs = plan.pairs(self.renderer.views());
+        self.composite(&pairs);
+        let embeddings = self.guide.image_embeddings(&self.rgb)?;
+        self.images_encoded += candidates.len() * pairs.len();
+        let (mesh, field, rest) = (self.mesh, &*self.field, self.rest_normals.as_slice());
+        let errors: Vec<f64> =
+            candidates.par_iter().map(|scales| normal_error(mesh, field, rest, scales)).collect();
+        let per_candidate = pairs.len() * self.prompt.len();
+        Ok(embeddings
+            .chunks_exact(per_candidate)
+            .zip(errors)
+            .map(|(embeddings, error)| {
+                let score = mean_cosine(embeddings, self.prompt);
+                Evaluation { score, loss: NORMAL_WEIGHT * error - score }
+            })
+            .collect())
+    }
+
+    /// Puts the views of every candidate before the backgrounds of `pairs`.
+    fn composite(&mut self, pairs: &[(usize, usize)]) {
+        let pixels = (self.renderer.size() as usize).pow(2);
+        let candidate_bytes = self.renderer.views() * pixels * 4;
+        let candidates = self.rgba.len() / candidate_bytes;
+        self.rgb.resize(candidates * pairs.len() * pixels * 3, 0);
+        self.rgb
+            .par_chunks_exact_mut(pairs.len() * pixels * 3)
+            .zip(self.rgba.par_chunks_exact(candidate_bytes))
+            .for_each(|(images, views)| {
+                for (image, &(view, background)) in images.chunks_exact_mut(pixels * 3).zip(pairs) {
+                    let rgba = &views[view * pixels * 4..(view + 1) * pixels * 4];
+                    render::composite(rgba, BACKGROUNDS[background], image);
+                }
+            });
+    }
+}
+
+/// Mean of 1 − cos between vertex normals before and after (paper §3.1).
+fn normal_error(mesh: &Mesh, field: &DeformField, rest_normals: &[Vec3], scales: &[Vec3]) -> f64 {
+    let normals = mesh.vertex_normals(&field.deform(scales));
+    // A vertex without a normal (its faces collapsed) counts as turned by a right angle.
+    let cosine = |(a, b): (&Vec3, &Vec3)| if a.is_finite() { f64::from(a.dot(*b)) } else { 0.0 };
+    let total: f64 =
+        normals.iter().zip(rest_normals).filter(|(_, b)| b.is_finite()).map(|n| 1.0 - cosine(n)).sum();
+    total / normals.len() as f64
+}
+
+/// Mean cosine between unit embeddings (`k × d`) and one unit embedding (`d`).
+fn mean_cosine(embeddings: &[f32], prompt: &[f32]) -> f64 {
+    let dot = |e: &[f32]| e.iter().zip(prompt).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum::<f64>();
+    let all = embeddings.chunks_exact(prompt.len());
+    let count = all.len() as f64;
+    all.map(dot).sum::<f64>() / count
+}

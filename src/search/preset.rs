@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Presets: how much is spent on the search, and where.
+
+use crate::render::BACKGROUNDS;
+
+/// Range of the search variable x; a scale factor is `1 + SCALE_PER_X · x` (paper §4, reference protocol).
+pub const X_RANGE: (f64, f64) = (-1.0, 3.0);
+
+/// Scale change of one unit of the search variable.
+pub const SCALE_PER_X: f64 = 0.7;
+
+/// Weight of the normal error in the loss.
+pub const NORMAL_WEIGHT: f64 = 0.25;
+
+/// The images that score one candidate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ImagePlan {
+    /// Every view before every background, as in the paper.
+    All,
+    /// Every view once, the backgrounds taken in turn: a third of the images, and no background favoured.
+    InTurn,
+}
+
+impl ImagePlan {
+    /// The (view, background) pairs of one candidate.
+    #[must_use]
+    pub fn pairs(self, views: usize) -> Vec<(usize, usize)> {
+        match self {
+            Self::All => (0..views).flat_map(|v| (0..BACKGROUNDS.len()).map(move |b| (v, b))).collect(),
+            Self::InTurn => (0..views).map(|v| (v, v % BACKGROUNDS.len())).collect(),
+        }
+    }
+}
+
+/// A budget for the search.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Preset {
+    /// Its name.
+    pub name: &'static str,
+    /// Split counts tried, each searched from scratch; the best by all images is kept.
+    pub splits: &'static [u32],
+    /// Candidates a generation: `base + per_log · ln(dimensions)`.
+    pub population: (f64, f64),
+    /// First step size, in units of x.
+    pub sigma: f64,
+    /// Generations at most, a split count.
+    pub max_generations: usize,
+    /// Stops when the loss changes less than this.
+    pub tol_fun: f64,
+    /// Images that score a candidate during the search.
+    pub images: ImagePlan,
+    /// Whether parts that stand on the floor together stay so ([`super::Footing`]).
+    pub footing: bool,
+}
+
+impl Preset {
+    /// The protocol of the reference program, to the letter.
+    pub const PAPER: Self = Self {
+        name: "paper",
+        splits: &[2, 3, 4],
+        population: (12.0, 9.0),
+        sigma: 1.0,
+        max_generations: 80,
+        tol_fun: 1e-4,
+        images: ImagePlan::All,
+        footing: false,
+    };
+
+    /// A result in seconds.
+    pub const STANDARD: Self = Self {
+        name: "standard",
+        splits: &[2, 3, 4],
+        population: (4.0, 3.5),
+        sigma: 0.5,
+        max_generations: 24,
+        tol_fun: 1e-4,
+        images: ImagePlan::InTurn,
+        footing: true,
+    };
+
+    /// All presets.
+    pub const ALL: [Self; 2] = [Self::STANDARD, Self::PAPER];
+
+    /// The preset of this name.
+    #[must_use]
+    pub fn by_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|preset| preset.name == name)
+    }
+
+    /// Candidates a generation for `dimensions` search variables.
+    #[must_use]
+    pub fn population(&self, dimensions: usize) -> usize {
+        (self.population.0 + self.population.1 * (dimensions as f64).ln()).floor() as usize
+    }
+}

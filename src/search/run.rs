@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! One search: CMA-ES over the box scales of one graph.
+
+use glam::Vec3;
+
+use super::cmaes::{CmaEs, CmaEsOptions};
+use super::preset::{Preset, SCALE_PER_X, X_RANGE};
+use super::{Bounds, Footing, Objective, ObjectiveError, SearchError, StopReason};
+
+/// What is known after each generation.
+#[derive(Debug)]
+pub struct Generation<'a> {
+    /// Generations done.
+    pub number: usize,
+    /// Candidates evaluated.
+    pub evaluations: usize,
+    /// Score of the best candidate (that of least loss) so far.
+    pub best_score: f64,
+    /// Its scale factors.
+    pub best_scales: &'a [Vec3],
+}
+
+/// The end of a search.
+#[derive(Debug)]
+pub struct Found {
+    /// Scale factors of least loss.
+    pub scales: Vec<Vec3>,
+    /// Generations done.
+    pub generations: usize,
+    /// Candidates evaluated.
+    pub evaluations: usize,
+    /// Why it ended.
+    pub stop: StopReason,
+}
+
+/// Minimises the objective's loss. A `footing` levels the feet of every candidate before it is evaluated.
+/// `each_generation` may end the search with its own error.
+pub fn search<E: From<SearchError> + From<ObjectiveError>>(
+    objective: &mut Objective<'_>,
+    footing: Option<&Footing>,
+    preset: &Preset,
+    seed: u64,
+    mut each_generation: impl FnMut(&Generation<'_>) -> Result<(), E>,
+) -> Result<Found, E> {
+    let dimensions = 3 * objective.parameter_rows();
+    let mut cma = CmaEs::new(CmaEsOptions {
+        start: vec![0.0; dimensions],
+        sigma: preset.sigma,
+        bounds: Bounds::Same(X_RANGE.0, X_RANGE.1),
+        population: Some(preset.population(dimensions)),
+        seed,
+        max_generations: preset.max_generations,
+        tol_fun: preset.tol_fun,
+        ..CmaEsOptions::default()
+    })?;
+    let mut best = (f64::INFINITY, f64::NEG_INFINITY, vec![Vec3::ONE; dimensions / 3]);
+    loop {
+        let mut candidates: Vec<Vec<Vec3>> = cma.ask().iter().map(|x| scales_of(x)).collect();
+        if let Some(footing) = footing {
+            candidates.iter_mut().for_each(|scales| footing.level(scales, scale_range()));
+        }
+        let evaluations = objective.evaluate(&candidates, preset.images)?;
+        for (evaluation, scales) in evaluations.iter().zip(&candidates) {
+            if evaluation.loss < best.0 {
+                best = (evaluation.loss, evaluation.score, scales.clone());
+            }
+        }
+        let losses: Vec<f64> = evaluations.iter().map(|e| e.loss).collect();
+        cma.tell(&losses)?;
+        each_generation(&Generation {
+            number: cma.generation(),
+            evaluations: cma.evaluations(),
+            best_score: best.1,
+            best_scales: &best.2,
+        })?;
+        if let Some(stop) = cma.stop_reason() {
+            let (generations, evaluations) = (cma.generation(), cma.evaluations());
+            return Ok(Found { scales: best.2, generations, evaluations, stop });
+        }
+    }
+}
+
+/// The least and greatest scale factor.
+fn scale_range() -> (f32, f32) {
+    let scale = |x: f64| (1.0 + SCALE_PER_X * x) as f32;
+    (scale(X_RANGE.0), scale(X_RANGE.1))
+}
+
+/// Scale factors, `1 + 0.7 x`, of a search point of three numbers a parameter row.
+fn scales_of(x: &[f64]) -> Vec<Vec3> {
+    let scale = |x: f64| (1.0 + SCALE_PER_X * x) as f32;
+    x.chunks_exact(3).map(|x| Vec3::new(scale(x[0]), scale(x[1]), scale(x[2]))).collect()
+}

@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT OR Apache-2.0
+"""Third ring, headless: the built zip installed into real Blender, used by its command line.
+
+tests/blender/run_headless.py [CHROOT ...]
+"""
+
+import json
+import shutil
+import sys
+from pathlib import Path
+
+from chroots import ARTIFACTS, Counts, bench, built_zip, chroots, ready
+
+#: Saved files are looked at by Blender itself: prints the shape keys of each mesh object as JSON.
+_LOOK = """
+import bpy, json
+def curves(keys):
+    animation = keys.animation_data
+    if animation is None or animation.action is None: return []
+    if not hasattr(animation.action, 'slots'): return animation.action.fcurves
+    from bpy_extras import anim_utils
+    return anim_utils.action_get_channelbag_for_slot(animation.action, animation.action_slot).fcurves
+out = {}
+for obj in bpy.data.objects:
+    if obj.type == 'MESH':
+        keys = obj.data.shape_keys
+        out[obj.name] = dict(vertices=len(obj.data.vertices), modifiers=[m.name for m in obj.modifiers],
+            materials=[m.name for m in obj.data.materials],
+            keys={} if keys is None else {k.name: [k.value, k.slider_min, k.slider_max]
+                                          for k in keys.key_blocks},
+            moved=0 if keys is None else max((a.co - b.co).length for k in keys.key_blocks
+                                             for a, b in zip(k.points, keys.reference_key.points)),
+            curves=[] if keys is None else [[list(p.co) for p in c.keyframe_points] for c in curves(keys)])
+print('LOOK' + json.dumps(out))
+"""
+
+
+def look(bench, file):
+    """Return what `_LOOK` sees in a saved file, or {} if it cannot be opened."""
+    run = bench.run("blender", "-b", "--factory-startup", file, "--python-expr", _LOOK)
+    lines = [line[4:] for line in run.stdout.splitlines() if line.startswith("LOOK")]
+    return json.loads(lines[0]) if lines else {}
+
+
+def check_suite(bench, counts):
+    """Install into the Blender of one chroot and try everything that its command line promises."""
+    version = bench.run("blender", "-b", "--version").stdout.splitlines()[0]
+    print(f"{bench.suite}: {version}", flush=True)
+    run = bench.run("blender", "--command", "extension", "validate", bench.zip)
+    counts.check(run.returncode == 0, "the zip is valid", run.stdout + run.stderr)
+    run = bench.install()
+    if not counts.check(run.returncode == 0, "the zip installs", run.stdout + run.stderr):
+        return
+    counts.check("Traceback" not in run.stdout + run.stderr, "installing is silent", run.stdout + run.stderr)
+    run = bench.make_chair()
+    counts.check(run.returncode == 0, "the chair is made", run.stdout + run.stderr)
+    before = (bench.outside / "chair.blend").read_bytes()
+
+    def boxmorph(*arguments, file=bench.chair):
+        opened = ["-b", file] if file else ["-b"]
+        return bench.run("blender", *opened, "--command", "boxmorph", *arguments)
+
+    check_done(bench, boxmorph, counts)
+    check_failed(bench.inside, boxmorph, counts)
+    check_usage(boxmorph, counts)
+    after = (bench.outside / "chair.blend").read_bytes()
+    counts.check(after == before, "the input file is never written to")
+
+
+def check_done(bench, boxmorph, counts):
+    """What works: exit code 0, and files as promised."""
+    suite, inside, outside = bench.suite, bench.inside, bench.outside
+    run = boxmorph(
+        *("deform", "--object", "Chair", "--prompt", "a bar stool", "--seed", "3", "--splits", "3"),
+        *("--symmetry", "x", "--keyframes", "1:60", "--output", f"{inside}/out.blend"),
+        *("--report", f"{inside}/report.json", "--sheet", f"{inside}/sheet.png"),
+        *("--spectrum", f"{inside}/spectrum.png"),
+    )
+    text = run.stdout + run.stderr
+    if not counts.check(run.returncode == 0, "deform ends with exit code 0", f"{run.returncode}\n{text}"):
+        return
+    ARTIFACTS.mkdir(parents=True, exist_ok=True)
+    report = json.loads(Path(f"{outside}/report.json").read_text(encoding="utf-8"))
+    counts.check(
+        report["score_after"] > report["score_before"] and report["shape_key"] == "a bar stool",
+        "the report tells of a higher score",
+        report,
+    )
+    for name in ("sheet.png", "spectrum.png"):
+        picture = Path(f"{outside}/{name}")
+        good = picture.is_file() and picture.read_bytes()[:4] == b"\x89PNG" and picture.stat().st_size > 2000
+        counts.check(good, f"{name} is a picture")
+        if good:
+            shutil.copy(picture, ARTIFACTS / f"headless-{suite}-{name}")
+    seen = look(bench, f"{inside}/out.blend").get("Chair", {})
+    key = seen.get("keys", {}).get("a bar stool")
+    counts.check(
+        key is not None and key[1] < 0 and key[2] > 1 and seen["moved"] > 0.01,
+        "the saved object has the shape key, with its limits",
+        seen,
+    )
+    counts.check(
+        seen.get("vertices") == 32
+        and seen["modifiers"] == ["Mirror", "Bevel"]
+        and seen["materials"] == ["Wood", "Fabric"],
+        "mesh, modifiers and materials are as they were",
+        seen,
+    )
+    counts.check(seen.get("curves") == [[[1, 0], [60, 1]]], "the spectrum is keyframed", seen)
+
+    run = boxmorph("deform", "--prompt", "a low zzgribble table", "--object", "Plain Chair")
+    expected = Path(f"{outside}/chair-a-low-zzgribble-table.blend")
+    counts.check(
+        run.returncode == 0 and expected.is_file(), "without --output, saved beside the input", run.stderr
+    )
+    counts.check(
+        "zzgribble" in run.stderr and "does not know" in run.stderr, "an unknown word is named", run.stderr
+    )
+
+
+def check_failed(inside, boxmorph, counts):
+    """What cannot work: exit code 1 and a sentence on stderr."""
+    good = ("--prompt", "a bar stool", "--object", "Chair", "--output", f"{inside}/no.blend")
+    cases = [
+        ("no such object", (*good, "--object", "Bench"), "no object named “Bench”"),
+        ("not a mesh", (*good, "--object", "Camera"), "not a mesh"),
+        ("no faces", (*good, "--object", "Points"), "no faces"),
+        ("an empty prompt", (*good, "--prompt", "  "), "prompt is empty"),
+        ("unknown words only", (*good, "--prompt", "zzgribble xqwv"), "knows no word"),
+        ("10,000 characters", (*good, "--prompt", "chair " * 1700), "characters"),
+        ("an output in no folder", (*good, "--output", f"{inside}/none/o.blend"), "cannot be written"),
+        ("an output that is a folder", (*good, "--output", inside), "cannot be written"),
+        ("a report in no folder", (*good, "--report", f"{inside}/none/r.json"), "cannot be written"),
+    ]
+    for what, arguments, expected in cases:
+        run = boxmorph("deform", *arguments)
+        counts.check(
+            run.returncode == 1 and expected in run.stderr and "Traceback" not in run.stderr,
+            f"{what}: exit code 1 and a sentence",
+            f"{run.returncode}\n{run.stderr}",
+        )
+    run = boxmorph("deform", *good, file=f"{inside}/missing.blend")
+    counts.check(
+        run.returncode == 1 and "could not open" in run.stderr,
+        "a missing file: exit code 1, not the startup file",
+        f"{run.returncode}\n{run.stderr}",
+    )
+
+
+def check_usage(boxmorph, counts):
+    """Wrong usage: exit code 2."""
+    for arguments in (
+        (),
+        ("bend",),
+        ("deform",),
+        ("deform", "--prompt", "a stool", "--splits", "9"),
+        ("deform", "--prompt", "a stool", "--keyframes", "60"),
+        ("deform", "--prompt", "a stool", "--seed", "-1"),
+    ):
+        run = boxmorph(*arguments)
+        counts.check(run.returncode == 2, f"usage “{' '.join(arguments)}”: exit code 2", run.stderr)
+    run = boxmorph("deform", "--prompt", "a bar stool", file=None)
+    counts.check(run.returncode == 2 and "name a file" in run.stderr, "no file: exit code 2", run.stderr)
+    run = boxmorph("deform", "--help")
+    counts.check(run.returncode == 0 and "--keyframes" in run.stdout, "--help: exit code 0", run.stdout)
+
+
+def main():
+    zip_path = built_zip()
+    counts = Counts("headless")
+    for chroot in chroots(sys.argv[1:]):
+        counts.title = f"headless {chroot.name}"
+        if ready(chroot):
+            with bench(chroot, zip_path) as prepared:
+                check_suite(prepared, counts)
+        else:
+            counts.skip(f"Blender of {chroot.name}", "not provisioned; run scripts/provision_blender.sh")
+    print(counts.summary())
+    return 1 if counts.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
+"""Runs inside Blender on the virtual screen: evaluates what the driver asks, and prepares the window.
+
+The driver writes {"id", "code"} to $BOXMORPH_CHANNEL/ask.json; the answer goes to answer.json as
+{"id", "value"} or {"id", "error"}. `code` is an expression, or statements that set `value`.
+"""
+
+import json
+import os
+import traceback
+
+import bpy
+
+CHANNEL = os.environ["BOXMORPH_CHANNEL"]
+_last = -1
+
+
+def view():
+    """Return (window, area, its sidebar region) of the 3D viewport."""
+    window = bpy.context.window_manager.windows[0]
+    area = next(area for area in window.screen.areas if area.type == "VIEW_3D")
+    return window, area, next(region for region in area.regions if region.type == "UI")
+
+
+def modal():
+    """Return the identifiers of the running modal operators."""
+    return [operator.bl_idname for operator in bpy.context.window_manager.windows[0].modal_operators]
+
+
+def keys(name):
+    """Return the shape keys of an object as {name: value}."""
+    blocks = bpy.data.objects[name].data.shape_keys
+    return {} if blocks is None else {key.name: key.value for key in blocks.key_blocks}
+
+
+def moved(name):
+    """Return how far the farthest vertex of any key is from the Basis."""
+    blocks = bpy.data.objects[name].data.shape_keys
+    if blocks is None:
+        return 0.0
+    basis = [point.co.copy() for point in blocks.reference_key.points]
+    return max((key.points[i].co - co).length for key in blocks.key_blocks for i, co in enumerate(basis))
+
+
+def _answer():
+    global _last
+    try:
+        with open(os.path.join(CHANNEL, "ask.json"), encoding="utf-8") as file:
+            ask = json.load(file)
+    except (OSError, ValueError):
+        return 0.05
+    if ask["id"] == _last:
+        return 0.05
+    _last = ask["id"]
+    answer = {"id": ask["id"]}
+    try:
+        try:
+            answer["value"] = eval(ask["code"], globals())
+        except SyntaxError:
+            scope = {}
+            exec(ask["code"], globals(), scope)
+            answer["value"] = scope.get("value")
+    except Exception:
+        answer["error"] = traceback.format_exc()
+    path = os.path.join(CHANNEL, "answer.json")
+    with open(path + ".new", "w", encoding="utf-8") as file:
+        json.dump(answer, file, default=str)
+    os.replace(path + ".new", path)
+    return 0.05
+
+
+bpy.context.preferences.view.show_splash = False
+bpy.app.timers.register(_answer, persistent=True)
