@@ -96,7 +96,6 @@ fn an_open_shell_has_the_parts_of_a_closed_one() {
     assert!(open.len() < closed.triangles().len());
     let open = Mesh::new(closed.vertices().to_vec(), open).unwrap();
     let (a, b) = (check("closed", &closed, 4, Symmetry::Auto), check("open", &open, 4, Symmetry::Auto));
-    println!("{:?} {:?}\n{:?} {:?}", a.box_center(), a.box_half_size(), b.box_center(), b.box_half_size());
     assert_eq!(a.box_side(), b.box_side());
     for (a, b) in a.box_center().iter().zip(b.box_center()) {
         assert!(a.distance(*b) < 0.05, "{a} and {b}");

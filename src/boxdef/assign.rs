@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use crate::mesh::Mesh;
 
 use super::boxes::PartBox;
+use super::islands::islands;
 use super::occupancy::{Occupancy, sample_triangle};
 use super::symmetry::MirrorMap;
 
@@ -94,49 +95,4 @@ fn keep_islands_whole(
             *owner = part;
         }
     }
-}
-
-/// Number of the connected part that each vertex belongs to; vertices in the very same place are one, so
-/// that seams split by UVs or normals do not part a shell.
-fn islands(mesh: &Mesh) -> Vec<u32> {
-    let n = mesh.vertices().len();
-    let mut parent: Vec<u32> = (0..n as u32).collect();
-    let mut by_place: Vec<u32> = (0..n as u32).collect();
-    let key = |i: u32| mesh.vertices()[i as usize].to_array().map(|x| (x + 0.0).to_bits());
-    by_place.par_sort_by_key(|&i| (key(i), i));
-    for pair in by_place.windows(2) {
-        if key(pair[0]) == key(pair[1]) {
-            join(&mut parent, pair[0], pair[1]);
-        }
-    }
-    for &[a, b, c] in mesh.triangles() {
-        join(&mut parent, a, b);
-        join(&mut parent, a, c);
-    }
-    let mut number = vec![u32::MAX; n];
-    let mut count = 0;
-    (0..n as u32)
-        .map(|vertex| {
-            let root = find(&mut parent, vertex) as usize;
-            if number[root] == u32::MAX {
-                number[root] = count;
-                count += 1;
-            }
-            number[root]
-        })
-        .collect()
-}
-
-fn find(parent: &mut [u32], mut vertex: u32) -> u32 {
-    while parent[vertex as usize] != vertex {
-        let above = parent[vertex as usize];
-        parent[vertex as usize] = parent[above as usize];
-        vertex = parent[vertex as usize];
-    }
-    vertex
-}
-
-fn join(parent: &mut [u32], a: u32, b: u32) {
-    let (a, b) = (find(parent, a), find(parent, b));
-    parent[a.max(b) as usize] = a.min(b);
 }
