@@ -9,6 +9,7 @@ use super::connect::connect;
 use super::error::BoxDefError;
 use super::field::DeformField;
 use super::frame::Frame;
+use super::islands::{islands, places};
 use super::occupancy::Occupancy;
 use super::parts::Parts;
 use super::propagate::Propagation;
@@ -47,7 +48,8 @@ impl BoxDefGraph {
         }
         let frame = Frame::of_surface(mesh);
         let vertices = frame.vertices(mesh);
-        let mut occupancy = Occupancy::of(mesh, frame, &vertices);
+        let places = places(&vertices);
+        let mut occupancy = Occupancy::of(mesh, frame, &vertices, &places);
         let axis = symmetry::resolve(symmetry, &occupancy);
         if let Some(axis) = axis {
             occupancy.symmetrise(axis);
@@ -55,8 +57,9 @@ impl BoxDefGraph {
         let pieces = split(&mut occupancy, splits, axis);
         let mirror = axis.map(|axis| MirrorMap::of(&vertices, axis));
         let mut boxes = part_boxes(mesh, &vertices, &occupancy, &pieces, axis);
+        let islands = islands(mesh, &places);
         let owners = loop {
-            let owners = assign(mesh, &vertices, &occupancy, &boxes, mirror.as_ref());
+            let owners = assign(mesh, &vertices, &islands, &occupancy, &boxes, mirror.as_ref());
             let kept = keep_owners(&boxes, &owners);
             if kept.len() == boxes.len() {
                 break owners;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Which vertices hang together.
 
+use std::collections::HashMap;
+
 use glam::DVec3;
-use rayon::prelude::*;
 
 use crate::mesh::Mesh;
 
@@ -34,27 +35,22 @@ impl Islands {
     }
 }
 
-/// For each of `count` points the first one in the very same place.
-pub(crate) fn places(count: usize, place: impl Fn(usize) -> DVec3 + Sync) -> Vec<u32> {
+/// For each point the first one in the very same place.
+pub(crate) fn places(points: &[DVec3]) -> Vec<u32> {
+    let mut first = HashMap::with_capacity(points.len());
+    let numbered = points.iter().enumerate();
     // Adding 0 makes −0 and 0 one place.
-    let key = |i: u32| place(i as usize).to_array().map(|x| (x + 0.0).to_bits());
-    let mut order: Vec<u32> = (0..count as u32).collect();
-    order.par_sort_by_key(|&i| (key(i), i));
-    let mut first: Vec<u32> = (0..count as u32).collect();
-    for pair in order.windows(2) {
-        if key(pair[0]) == key(pair[1]) {
-            first[pair[1] as usize] = first[pair[0] as usize];
-        }
-    }
-    first
+    numbered
+        .map(|(i, p)| *first.entry(p.to_array().map(|x| (x + 0.0).to_bits())).or_insert(i as u32))
+        .collect()
 }
 
 /// Number of the loose part that each vertex belongs to. Vertices in the very same place are one, so that
-/// seams split by UVs or normals do not part a shell.
-pub(crate) fn islands(mesh: &Mesh) -> Vec<u32> {
+/// seams split by UVs or normals do not part a shell; `places` names the first in each place.
+pub(crate) fn islands(mesh: &Mesh, places: &[u32]) -> Vec<u32> {
     let n = mesh.vertices().len();
     let mut joined = Islands::new(n);
-    for (vertex, first) in places(n, |i| mesh.vertices()[i].as_dvec3()).into_iter().enumerate() {
+    for (vertex, &first) in places.iter().enumerate() {
         joined.join(vertex as u32, first);
     }
     for &[a, b, c] in mesh.triangles() {

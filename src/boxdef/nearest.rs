@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Nearest-point queries over a subset of points.
 
+use std::collections::HashSet;
 use std::num::NonZero;
 
 use glam::DVec3;
@@ -26,6 +27,13 @@ impl Nearest {
         let places: Vec<[f64; 3]> = ids.iter().map(|&i| place(i)).collect();
         let tree = ImmutableKdTree::new_from_slice(&places).expect("a set of finite points makes a tree");
         Self { tree, ids }
+    }
+
+    /// The first of the points that `ids` name in each cube of a grid of this `edge`.
+    pub(crate) fn thin(points: &[DVec3], ids: &[u32], edge: f64) -> Vec<u32> {
+        let mut seen = HashSet::new();
+        let cube = |i: u32| (points[i as usize] / edge).floor().as_i64vec3();
+        ids.iter().copied().filter(|&i| seen.insert(cube(i))).collect()
     }
 
     /// Index of the nearest point, and its distance.

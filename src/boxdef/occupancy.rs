@@ -64,14 +64,15 @@ pub(crate) struct Occupancy {
 }
 
 impl Occupancy {
-    /// Of a mesh in its frame; `vertices` are its vertices in the frame.
-    pub(crate) fn of(mesh: &Mesh, frame: Frame, vertices: &[DVec3]) -> Self {
+    /// Of a mesh in its frame; `vertices` are its vertices in the frame, `places` names the first in the place
+    /// of each.
+    pub(crate) fn of(mesh: &Mesh, frame: Frame, vertices: &[DVec3], places: &[u32]) -> Self {
         let (low, high) = mesh.surface_bounds();
         let half = (high - low) * (0.5 / frame.unit);
         let size = half.to_array().map(|h| 2 * (h / CELL).ceil().max(1.0) as usize + 2);
         let mut grid = Self { size, filled: vec![false; size.iter().product()] };
         let surface = mesh.triangles().iter().map(|triangle| triangle.map(|i| vertices[i as usize]));
-        for corners in surface.chain(caps(mesh.triangles(), vertices)) {
+        for corners in surface.chain(caps(mesh.triangles(), vertices, places)) {
             sample_triangle(corners, |point| {
                 let index = grid.index(grid.cell_of(point));
                 grid.filled[index] = true;
