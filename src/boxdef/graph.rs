@@ -80,7 +80,7 @@ impl BoxDefGraph {
         };
         let stages =
             connections.stages.into_iter().map(|stage| stage.into_iter().map(pair).collect()).collect();
-        Ok(Self::assemble(mesh, parts, frame, &vertices, axis, mirror, stages))
+        Ok(Self::assemble(mesh, parts, frame, &vertices, axis, mirror.as_ref(), stages))
     }
 
     fn assemble(
@@ -89,12 +89,11 @@ impl BoxDefGraph {
         frame: Frame,
         vertices: &[DVec3],
         symmetry_axis: Option<usize>,
-        mirror: Option<MirrorMap>,
+        mirror: Option<&MirrorMap>,
         stages: Vec<Vec<[i32; 2]>>,
     ) -> Self {
         let rows = parts.parameter_rows();
         let parameter_rows = rows.iter().max().map_or(0, |row| row + 1);
-        let mirror = mirror.as_ref();
         let propagation = Propagation { frame, parts: &parts, rows: &rows, vertices, mirror, stages };
         let basis = propagation.basis(parameter_rows);
         let field = DeformField::new(mesh.vertices().to_vec(), parameter_rows, basis);

@@ -22,7 +22,7 @@ impl Nearest {
         let place = |i: u32| points[i as usize].to_array();
         let mut ids: Vec<u32> = ids.into_iter().collect();
         ids.sort_by(|&a, &b| compare(place(a), place(b)).then(a.cmp(&b)));
-        ids.dedup_by(|a, b| place(*a) == place(*b));
+        ids.dedup_by(|a, b| compare(place(*a), place(*b)).is_eq());
         ids.sort_unstable();
         let places: Vec<[f64; 3]> = ids.iter().map(|&i| place(i)).collect();
         let tree = ImmutableKdTree::new_from_slice(&places).expect("a set of finite points makes a tree");

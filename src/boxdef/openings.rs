@@ -22,7 +22,9 @@ const SHEET: f64 = 0.1 * CELL;
 pub(crate) fn caps(triangles: &[[u32; 3]], vertices: &[DVec3], places: &[u32]) -> Vec<[DVec3; 3]> {
     let rims = rims(triangles, places);
     let mut joined = Islands::new(vertices.len());
-    rims.iter().for_each(|&[a, b, _]| joined.join(a, b));
+    for &[a, b, _] in &rims {
+        joined.join(a, b);
+    }
     let mut outlines: BTreeMap<u32, Vec<[u32; 3]>> = BTreeMap::new();
     for &rim in &rims {
         outlines.entry(joined.find(rim[0])).or_default().push(rim);

@@ -74,7 +74,9 @@ impl Propagation<'_> {
             moved[self.rows[parent]] += p;
             moved[self.rows[child]] -= q;
             if let (Some(mirror), MID) = (self.mirror, parts.box_side[child]) {
-                moved.iter_mut().for_each(|t| t[mirror.axis] = 0.0);
+                for t in &mut moved {
+                    t[mirror.axis] = 0.0;
+                }
             }
             all[child] = moved;
         }
@@ -106,7 +108,7 @@ impl Propagation<'_> {
 }
 
 /// A box with more vertices than this is thinned for followers that are not near.
-const MANY: usize = 20_000;
+const MANY: usize = 4_000;
 /// Edge of the cubes that keep one vertex each.
 const THINNED: f64 = 0.01;
 /// Nearer than this, all vertices count.

@@ -145,7 +145,7 @@ impl Splitter<'_> {
             let run = layers[start..].iter().take_while(|&&count| count == 0).count();
             let (from, to) = (low + start, low + start + run);
             let over_plane = self.is_doubled(piece, axis) && (from..=to).contains(&middle);
-            let at = if over_plane { middle } else { (from + to) / 2 };
+            let at = if over_plane { middle } else { usize::midpoint(from, to) };
             cuts.push(Cut { axis, at, score: 0.0 });
             start += run;
         }
