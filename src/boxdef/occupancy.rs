@@ -48,6 +48,13 @@ impl CellBox {
         (0..3).all(|axis| (self.low[axis]..self.high[axis]).contains(&cell[axis]))
     }
 
+    /// What this box has in common with another; empty if nothing.
+    pub(crate) fn within(&self, other: &Self) -> Self {
+        let low = std::array::from_fn(|axis| self.low[axis].max(other.low[axis]));
+        let high = std::array::from_fn(|axis| self.high[axis].min(other.high[axis]).max(low[axis]));
+        Self { low, high }
+    }
+
     /// The same box with other limits on one axis.
     pub(crate) fn with(mut self, axis: usize, low: usize, high: usize) -> Self {
         self.low[axis] = low;

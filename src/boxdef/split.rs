@@ -120,7 +120,8 @@ impl Splitter<'_> {
         let Cut { axis, at, .. } = cut;
         let part = |side, low, high| {
             let domain = piece.domain.with(axis, low, high);
-            Some(Piece { side, domain, tight: self.occupancy.tighten(&domain)? })
+            let tight = self.occupancy.tighten(&domain.within(&piece.tight))?;
+            Some(Piece { side, domain, tight })
         };
         let (low, high) = (piece.domain.low[axis], piece.domain.high[axis]);
         if !self.is_doubled(piece, axis) {
