@@ -100,7 +100,7 @@ def session(screen, shots):
     screen.wait(lambda: "BOXMORPH_OT_deform" not in screen.ask("modal()"), 20, "the end of the search")
     left = screen.ask(f"keys('{OBJECT}')")
     report(left == {}, "Esc leaves no shape key", left)
-    records = screen.ask("[len(bpy.data.shape_keys), len(bpy.data.images), len(bpy.app.handlers.undo_post)]")
+    records = screen.ask("[len(bpy.data.shape_keys), len(bpy.data.images), len(bpy.app.handlers.undo_pre)]")
     report(records[0] == 0 and records[2] == 0, "Esc leaves no data and no handler", records)
     screen.shot(shots("3-cancelled"))
 
@@ -219,4 +219,5 @@ def main(folder, artifacts, suite):
     report("Traceback" not in log and "Error" not in log, "Blender printed no error", log[-3000:])
 
 
-main(*sys.argv[1:])
+if __name__ == "__main__":
+    main(*sys.argv[1:])
