@@ -336,8 +336,8 @@ def _undo_handlers():
 
 @persistent
 def _before_undo(*_):
-    # Undo keeps a mesh that no undo step changed, and frees a Key that no step knows: the preview must go first,
-    # or the mesh would point to freed memory. In Edit Mode, entering it has made a step that knows the Key.
+    # Undo keeps a mesh that no undo step changed, and frees a Key that no step knows: the preview must go
+    # first, or the mesh would point to freed memory. Entering Edit Mode has made a step that knows the Key.
     search = _Running.search
     if search is None:
         return

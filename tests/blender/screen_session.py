@@ -169,15 +169,31 @@ def interruptions(screen):
     ended("the button Cancel")
 
     searching()
-    screen.ask(
-        "w, a, r = view()\nwith bpy.context.temp_override(window=w, area=a): bpy.ops.ed.undo()\nvalue = True"
-    )
-    ended("undo from a menu")
+    screen.click(82, 14)
+    time.sleep(0.6)
+    screen.press(112, 38)
+    ended("Undo in the menu Edit")
+
+    select(screen)
+    searching()
+    screen.move(*middle)
+    screen.key("Tab")
+    screen.wait(lambda: screen.ask(f"bpy.data.objects['{OBJECT}'].mode") == "EDIT", 20, "Edit Mode")
+    screen.key("Escape")
+    time.sleep(1.5)
+    report(screen.ask(f"bpy.data.objects['{OBJECT}'].mode") == "EDIT", "Esc in Edit Mode stays in Edit Mode")
+    screen.key("Tab")
+    ended("Esc in Edit Mode")
 
     searching()
-    screen.ask(f"bpy.data.objects.remove(bpy.data.objects['{OBJECT}'])")
+    screen.move(*middle)
+    screen.key("Delete")
     screen.wait(lambda: "BOXMORPH_OT_deform" not in screen.ask("modal()"), 60, "the end after deleting")
-    report(True, "deleting the object ends the search")
+    report(screen.ask(f"'{OBJECT}' not in bpy.context.scene.objects"), "deleting the object ends the search")
+    screen.key("ctrl+z")
+    screen.wait(lambda: screen.ask(f"'{OBJECT}' in bpy.context.scene.objects"), 20, "undo of deleting")
+    left = screen.ask(f"keys('{OBJECT}')")
+    report(left == nothing, "undo brings the object back without a preview", left)
 
     screen.ask("bpy.ops.wm.revert_mainfile()")
     select(screen)
