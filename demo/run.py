@@ -127,9 +127,7 @@ def _pictures(extension, folder, report):
         return mesh_io.shown_arrays(obj, bpy.context)
 
     (before, triangles), (after, _) = shown(0.0), shown(1.0)
-    sheets.save_png(
-        sheets.contact_sheet(boxmorph, before, after, triangles), folder / "contact-sheet.png"
-    )
+    sheets.save_png(sheets.contact_sheet(boxmorph, before, after, triangles), folder / "contact-sheet.png")
     alphas = [min(max(alpha, key.slider_min), key.slider_max) for alpha in ALPHAS]
     strip = sheets.spectrum(boxmorph, [shown(alpha)[0] for alpha in alphas], triangles)
     sheets.save_png(strip, folder / "spectrum.png")

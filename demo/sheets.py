@@ -49,7 +49,9 @@ def save_png(picture, path):
     with open(path, "wb") as file:
         file.write(b"\x89PNG\r\n\x1a\n")
         for kind, data in chunks:
-            file.write(struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data)))
+            file.write(
+                struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+            )
 
 
 def _views(boxmorph, vertices, triangles):
@@ -68,10 +70,9 @@ def _views(boxmorph, vertices, triangles):
 
 
 def _tilted(vertices, degrees=18):
-    """A shape tipped towards the fourth view's camera, as if that stood lower."""
-    right = np.array((1, 1, 0)) / np.sqrt(2)
-    a = np.radians(degrees)
-    x, y, z = right
+    """A shape tipped away from the fourth view's camera, as if that stood lower."""
+    x, y, z = np.array((1, -1, 0)) / np.sqrt(2)
+    a = -np.radians(degrees)
     cross = np.array(((0, -z, y), (z, 0, -x), (-y, x, 0)))
     turn = np.eye(3) + np.sin(a) * cross + (1 - np.cos(a)) * cross @ cross
     return vertices @ turn.T
