@@ -56,7 +56,7 @@ def open_guide():
         )
     if folder not in _guides:
         try:
-            _guides[folder] = boxmorph.Guide.open(folder)
+            _guides[folder] = boxmorph.Guide.open(folder, threads=preferences().threads or None)
         except (boxmorph.GuideError, ValueError, OSError) as error:
             raise Refusal(sentence(error)) from error
     return _guides[folder]
@@ -89,7 +89,9 @@ def unknown_words(guide, prompt):
     words = [word for word in re.findall(r"[^\W_]+", prompt.casefold()) if word not in _FILLER]
     if all(word in lowered for word in words):
         named = ", ".join(f"“{word}”" for word in unknown[:6]) or f"“{prompt[:40]}”"
-        raise Refusal(f"The guide knows no word of this prompt that names a shape ({named}). Use other words")
+        known = ", ".join(guide.classes[:8])
+        hint = f"Among those it knows: {known}" if known else "Use other words"
+        raise Refusal(f"The guide knows no word of this prompt that names a shape ({named}). {hint}")
     return unknown
 
 

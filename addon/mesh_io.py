@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender objects to arrays: what may be deformed, and the positions and triangles of it.
 
-All coordinates are object coordinates, z up. Nothing here changes the object for longer than one call.
+Coordinates are object coordinates, z up, unless said otherwise. Nothing here changes the object for longer than
+one call.
 """
 
 from contextlib import contextmanager
@@ -21,11 +22,12 @@ _POSING = frozenset(
 
 
 class ObjectArrays(NamedTuple):
-    """What a search needs of an object."""
+    """What a search needs of an object; coordinates times `scale`, so that it is searched as it is seen."""
 
     vertices: np.ndarray  #: (n,3) float32 of the mesh that is seen, without its pose
     triangles: np.ndarray  #: (m,3) int32 into `vertices`
     points: np.ndarray | None  #: (k,3) float32 Basis positions; None where `vertices` are these already
+    scale: np.ndarray  #: (3,) float32, the scale of an unevenly scaled object, else 1
     left_out: tuple[str, ...]  #: names of the posing modifiers that were left out
 
 
@@ -61,27 +63,29 @@ def object_arrays(obj, context):
     _require_finite(base, obj)
     shown = [modifier for modifier in obj.modifiers if modifier.show_viewport]
     left_out = tuple(modifier.name for modifier in shown if modifier.type in _POSING)
+    scale = _uneven_scale(obj)
     if len(shown) == len(left_out):
-        arrays = ObjectArrays(base, mesh_triangles(obj.data), None, left_out)
+        arrays = ObjectArrays(base * scale, mesh_triangles(obj.data), None, scale, left_out)
     else:
         with _as_modelled(obj, context) as mesh:
-            arrays = ObjectArrays(mesh_positions(mesh), mesh_triangles(mesh), base, left_out)
-    _require_surface(arrays, obj)
+            vertices = mesh_positions(mesh) * scale
+            arrays = ObjectArrays(vertices, mesh_triangles(mesh), base * scale, scale, left_out)
+    _require_surface(arrays.vertices, arrays.triangles, obj)
     return arrays
 
 
 def shown_arrays(obj, context):
-    """Return positions (n,3) float32 and triangles (m,3) int32 of the object as the viewport shows it now."""
+    """Return positions (n,3) float32 times scale and triangles (m,3) int32 as the viewport shows them now."""
     if obj.mode == "EDIT":
         raise Refusal(f"“{obj.name}” is in Edit Mode. Go to Object Mode first")
     evaluated = obj.evaluated_get(context.evaluated_depsgraph_get())
     mesh = evaluated.to_mesh()
     try:
-        arrays = ObjectArrays(mesh_positions(mesh), mesh_triangles(mesh), None, ())
+        vertices, triangles = mesh_positions(mesh) * _uneven_scale(obj), mesh_triangles(mesh)
     finally:
         evaluated.to_mesh_clear()
-    _require_surface(arrays, obj)
-    return arrays.vertices, arrays.triangles
+    _require_surface(vertices, triangles, obj)
+    return vertices, triangles
 
 
 def mesh_positions(mesh):
@@ -163,20 +167,24 @@ def _require_finite(positions, obj):
         )
 
 
-def _require_surface(arrays, obj):
-    _require_finite(arrays.vertices, obj)
-    if len(arrays.triangles) == 0:
-        raise Refusal(
-            f"The mesh of “{obj.name}” has no faces, so there is nothing to see or to split into parts"
-        )
-    corners = arrays.vertices[arrays.triangles].astype(np.float64)
+def _require_surface(vertices, triangles, obj):
+    _require_finite(vertices, obj)
+    if len(triangles) == 0:
+        raise Refusal(f"The mesh of “{obj.name}” has no faces, so there is nothing to see or to split")
+    corners = vertices[triangles].astype(np.float64)
     corners -= corners.min(axis=(0, 1))
     size = corners.max()
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     if size == 0.0 or np.linalg.norm(normals, axis=1).sum() <= 1e-9 * size * size:
-        raise Refusal(
-            f"The faces of “{obj.name}” have no area, so there is nothing to see or to split into parts"
-        )
+        raise Refusal(f"The faces of “{obj.name}” have no area, so there is nothing to see or to split")
+
+
+def _uneven_scale(obj):
+    """Return the object's scale in the world, (3,) float32; ones where it is even, which no view shows."""
+    scale = np.abs(np.array(obj.matrix_world.to_scale(), np.float32))
+    if scale.min() < 1e-6 or scale.max() < scale.min() * 1.0001:
+        return np.ones(3, np.float32)
+    return scale
 
 
 def object_by_uid(uid, name):

@@ -44,6 +44,7 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
     threads: IntProperty(
         name="Threads",
         description="Processor threads that a search may use; 0 means all. Read when Blender first searches",
+        update=_guide_changed,
         min=0,
         max=256,
         default=0,

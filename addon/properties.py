@@ -8,8 +8,9 @@ PRESETS = (
     ("standard", "Standard", "The result of the full search at a fraction of its cost"),
     ("paper", "Paper", "The published protocol, step by step. Much slower"),
 )
-SPLITS = (("auto", "Automatic", "Try several and keep the best"),) + tuple(
-    (str(n), str(n), f"Split the object into parts {n} time{'s' if n > 1 else ''}") for n in range(1, 9)
+SPLITS = (
+    ("auto", "Automatic", "Try several and keep the best"),
+    *((str(n), str(n), f"Split the object into parts {n} time{'s' if n > 1 else ''}") for n in range(1, 9)),
 )
 SYMMETRY = (
     ("auto", "Automatic", "Use the mirror symmetry found in the object, if there is one"),

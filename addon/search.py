@@ -6,6 +6,7 @@ A Search is polled: the work runs on threads of the Rust library, and nothing he
 """
 
 import time
+from contextlib import suppress
 
 import numpy as np
 
@@ -58,7 +59,7 @@ class Search:
             notes.append(f"The guide does not know {words} and goes by the other words")
         if self.arrays.left_out:
             notes.append(
-                f"Searching on the rest shape, without {', '.join(self.arrays.left_out)}, for parts are found there"
+                f"Searching on the rest shape, without the modifiers {', '.join(self.arrays.left_out)}"
             )
         if self.shared_by > 1:
             notes.append(f"The mesh has {self.shared_by} users, and all of them get the shape key")
@@ -85,7 +86,7 @@ class Search:
         if best is None:
             return
         self._shown_score, positions = best
-        self._trial.write(obj, positions)
+        self._trial.write(obj, positions / self.arrays.scale)
 
     def keep(self, obj):
         """Make the finished search's result the outcome shape key of `obj`. Raises Refusal if it failed."""
@@ -95,6 +96,7 @@ class Search:
         except self._expected() as error:
             raise Refusal(engine.sentence(error)) from error
         positions = result.vertices if self.arrays.points is None else result.points
+        positions = positions / self.arrays.scale
         if not np.isfinite(positions).all():
             raise Refusal("The search ended in coordinates that are not numbers; nothing was changed")
         report = dict(result.report())
@@ -112,7 +114,8 @@ class Search:
         """Ask the search to stop, which takes a generation at most; with `wait`, stay until it has."""
         self._job.cancel()
         if wait:
-            self._job.join()
+            with suppress(*self._expected()):
+                self._job.join()
 
     def run(self, on_progress=None, interval=0.05):
         """Wait for the end, calling `on_progress(progress)` about once every `interval` seconds."""

@@ -108,9 +108,6 @@ def write_zip(path, manifest_text, wheel):
         name = source.relative_to(ADDON).as_posix()
         if source.is_file() and name not in files and "__pycache__" not in name and not name.startswith("."):
             files[name] = source.read_bytes()
-    licence = ROOT / "LICENSE-GPL"
-    if licence.is_file():
-        files["LICENSE"] = licence.read_bytes()
     with zipfile.ZipFile(path, "w") as archive:
         for name in sorted(files):
             info = zipfile.ZipInfo(name, TIMESTAMP)

@@ -4,8 +4,9 @@
 #
 #   scripts/provision_blender.sh DIR SUITE     SUITE: trixie (Blender 4.3) or sid (Blender 5.2)
 #
-# The chroot becomes DIR/SUITE. Packages come from the mirror that this machine's apt uses. Running it again is quick:
-# a finished chroot is left as it is. No mount is left behind; scripts/enter_chroot.sh makes those it needs.
+# DIR becomes the chroot, with a log beside it. Packages come from the mirror that this machine's apt uses.
+# Running it again is quick: a finished chroot is left as it is. No mount is left behind; scripts/enter_chroot.sh
+# makes those it needs.
 # Exit codes: 0 ready, 1 failed on the way, 3 this machine cannot have one (one sentence says why).
 set -eu
 
@@ -17,8 +18,9 @@ cannot() {
 [ $# -eq 2 ] || { echo "usage: $0 DIR trixie|sid" >&2; exit 2; }
 case "$2" in trixie|sid) ;; *) echo "usage: $0 DIR trixie|sid" >&2; exit 2 ;; esac
 suite=$2
-mkdir -p "$1"
-root=$(cd "$1" && pwd)/$suite
+mkdir -p "$(dirname "$1")"
+root=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
+log=$root.log
 here=$(cd "$(dirname "$0")" && pwd)
 
 packages="blender python3-numpy python3-cattr python3-requests xvfb xauth libgl1-mesa-dri libegl1 mesa-vulkan-drivers
@@ -30,7 +32,7 @@ wanted=$(echo "$packages" | tr -s '[:space:]' ' ')
 command -v apt-get >/dev/null || cannot "real Blender is taken from Debian's packages, and this machine has no apt-get."
 unshare --mount true 2>/dev/null || cannot "this machine does not allow mount namespaces, which the chroot needs."
 
-exec 9>"$1/.$suite.lock"
+exec 9>"$root.lock"
 flock 9
 
 if [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$wanted" ]; then
@@ -49,8 +51,8 @@ fi
 # An unfinished base is started anew: debootstrap cannot go on where it stopped.
 if [ ! -f "$root/.boxmorph-base" ]; then
     rm -rf "$root"
-    debootstrap --variant=minbase "$suite" "$root" "$mirror" >"$1/$suite.log" 2>&1 \
-        || { echo "provision_blender: debootstrap failed; see $1/$suite.log" >&2; exit 1; }
+    debootstrap --variant=minbase "$suite" "$root" "$mirror" >"$log" 2>&1 \
+        || { echo "provision_blender: debootstrap failed; see $log" >&2; exit 1; }
     touch "$root/.boxmorph-base"
 fi
 cp /etc/resolv.conf "$root/etc/resolv.conf"
@@ -63,6 +65,6 @@ ln -sf /proc/self/mounts "$root/etc/mtab"
     apt-get -o Acquire::Check-Valid-Until=false update
     apt-get install -y --no-install-recommends $wanted
     apt-get clean
-    blender -b --version" >>"$1/$suite.log" 2>&1 \
-    || { echo "provision_blender: installing Blender failed; see $1/$suite.log" >&2; exit 1; }
+    blender -b --version" >>"$log" 2>&1 \
+    || { echo "provision_blender: installing Blender failed; see $log" >&2; exit 1; }
 echo "$wanted" >"$stamp"

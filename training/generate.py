@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """Random shapes, their four views and the truth for every caption, into one folder of arrays.
 
-images.npy (k, 4, size, size) uint8: grey, 255 where nothing is; gaps.npy (k, captions) float16: squared distances
-to each caption's region in sigmas; family.npy (k,) uint8.
+images.npy (k, 4, size, size) uint8: grey, 255 where nothing is; gaps.npy (k, captions) float16: squared
+distances to each caption's region in sigmas; family.npy (k,) uint8.
 """
 
 import argparse
@@ -37,12 +37,16 @@ def make(rng):
 
 
 def views(shape, rng):
-    """The four views of a shape turned by 0 or 180 degrees and a little, (4, SIZE, SIZE) uint8, CLEAR outside."""
+    """The four views of a shape turned by 0 or 180 degrees and a little, (4, SIZE, SIZE) uint8, CLEAR
+    outside.
+    """
     vertices, triangles = shape.mesh()
     turn = np.pi * rng.integers(2) + (rng.normal(0, 0.04) if rng.random() < 0.3 else 0.0)
     c, s = np.cos(turn), np.sin(turn)
     spin = np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]], np.float32)
-    image = boxmorph.render(np.ascontiguousarray(vertices @ spin), triangles, size=SIZE, views="paper", renderer="cpu")
+    image = boxmorph.render(
+        np.ascontiguousarray(vertices @ spin), triangles, size=SIZE, views="paper", renderer="cpu"
+    )
     return np.where(image[..., -1] > 127, np.minimum(image[..., 0], CLEAR - 1), CLEAR)
 
 

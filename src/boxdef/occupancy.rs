@@ -67,7 +67,7 @@ impl Occupancy {
     pub(crate) fn of(mesh: &Mesh, frame: Frame, vertices: &[DVec3]) -> Self {
         let (low, high) = mesh.surface_bounds();
         let half = (high - low) * (0.5 / frame.unit);
-        let size = half.to_array().map(|h| 2 * (h / CELL).ceil() as usize + 2);
+        let size = half.to_array().map(|h| 2 * (h / CELL).ceil().max(1.0) as usize + 2);
         let mut grid = Self { size, filled: vec![false; size.iter().product()] };
         for triangle in mesh.triangles() {
             sample_triangle(triangle.map(|i| vertices[i as usize]), |point| {

@@ -1,22 +1,24 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""Shared by the runners of the third ring: where the chroots and the built zip are, and the counts at the end.
+"""Shared by the runners of the third ring: where the chroots and the built zip are, and the counts.
 
-`BOXMORPH_CHROOTS` names the folder of the chroots (default build/chroot), `BOXMORPH_ZIP` the zip (default: the one
-in dist/). A runner prints one line for each check and ends in "N passed, N failed, N skipped".
+A runner is given chroots that scripts/provision_blender.sh made; without any, it takes trixie and sid in
+build/chroot, or in the folder that `BOXMORPH_CHROOTS` names. `BOXMORPH_ZIP` names the zip (default: the one
+in dist/). It prints one line for each check and ends in "N passed, N failed, N skipped".
 """
 
 import os
+import shutil
 import subprocess
+import tempfile
+from contextlib import contextmanager
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-CHROOTS = Path(os.environ.get("BOXMORPH_CHROOTS") or ROOT / "build" / "chroot").absolute()
 ARTIFACTS = ROOT / "tests" / "artifacts"
-SUITES = ("trixie", "sid")
 
 
 def built_zip():
-    """Return the path of the built extension. Raises SystemExit with a sentence where there is none or several."""
+    """Return the path of the built extension; without one, or with several, end with a sentence."""
     named = os.environ.get("BOXMORPH_ZIP")
     found = [Path(named)] if named else sorted((ROOT / "dist").glob("boxmorph-*-linux_x64.zip"))
     if len(found) != 1 or not found[0].is_file():
@@ -26,17 +28,58 @@ def built_zip():
     return found[0]
 
 
-def ready(suite):
-    """Whether the chroot of `suite` was provisioned."""
-    return (CHROOTS / suite / ".boxmorph-provisioned").is_file()
+def chroots(arguments):
+    """Return the chroots named on the command line, else the usual ones, as absolute paths."""
+    folder = Path(os.environ.get("BOXMORPH_CHROOTS") or ROOT / "build" / "chroot")
+    return [Path(path).absolute() for path in arguments or (folder / "trixie", folder / "sid")]
 
 
-def enter(suite, *command, **options):
-    """Run a command in a chroot, the repository at /repo; return the CompletedProcess with text output."""
-    script = ROOT / "scripts" / "enter_chroot.sh"
-    return subprocess.run(
-        [script, CHROOTS / suite, *map(str, command)], text=True, stdin=subprocess.DEVNULL, **options
-    )
+def ready(chroot):
+    """Whether a chroot was provisioned."""
+    return (chroot / ".boxmorph-provisioned").is_file()
+
+
+@contextmanager
+def bench(chroot, zip_path):
+    """Give a Bench in a chroot; its folder is removed afterwards."""
+    with tempfile.TemporaryDirectory(prefix="boxmorph-", dir=chroot / "tmp") as outside:
+        shutil.copy(zip_path, outside)
+        yield Bench(chroot, Path(outside), zip_path.name)
+
+
+class Bench:
+    """A Blender in a chroot, with a user folder and files of its own."""
+
+    def __init__(self, chroot, outside, zip_name):
+        self.chroot = chroot
+        self.suite = chroot.name
+        self.outside = outside  #: the folder of the files, as this machine sees it
+        self.inside = f"/tmp/{outside.name}"  #: the same, as the chroot sees it
+        self.zip = f"{self.inside}/{zip_name}"
+        self.chair = f"{self.inside}/chair.blend"
+
+    def run(self, *command, timeout=600):
+        """Run a command there; return the CompletedProcess with its output."""
+        enter = (ROOT / "scripts" / "enter_chroot.sh", self.chroot)
+        user = ("env", f"BLENDER_USER_RESOURCES={self.inside}/user")
+        return subprocess.run(
+            [*enter, *user, *command],
+            text=True,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=timeout,
+        )
+
+    def install(self):
+        """Install the zip; return the CompletedProcess."""
+        return self.run(
+            "blender", "--command", "extension", "install-file", "-r", "user_default", "-e", self.zip
+        )
+
+    def make_chair(self):
+        """Save chair.blend; return the CompletedProcess."""
+        script = ("--python-exit-code", "9", "--python", "/repo/tests/blender/make_chair.py")
+        return self.run("blender", "-b", "--factory-startup", *script, "--", self.chair)
 
 
 class Counts:

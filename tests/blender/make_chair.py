@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""Saves a small chair as an artist would leave it: separate parts, a Mirror and a Bevel, UVs, materials, a group.
+"""Saves a small chair as an artist would leave it: parts, a Mirror and a Bevel, UVs, materials, a group.
 
     blender -b --factory-startup --python make_chair.py -- FILE.blend
 
@@ -18,7 +18,8 @@ def boxes(name, parts):
     vertices, faces = [], []
     for centre, size in parts:
         start = len(vertices)
-        vertices += [tuple(c + k * s for c, k, s in zip(centre, corner, size)) for corner in corners]
+        for corner in corners:
+            vertices.append(tuple(c + k * s for c, k, s in zip(centre, corner, size, strict=True)))
         faces += [tuple(start + i for i in side) for side in sides]
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(vertices, [], faces)

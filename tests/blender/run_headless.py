@@ -2,16 +2,15 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """Third ring, headless: the built zip installed into real Blender, used by its command line.
 
-tests/blender/run_headless.py [SUITE ...]          SUITE: trixie, sid (default: both)
+tests/blender/run_headless.py [CHROOT ...]
 """
 
 import json
 import shutil
 import sys
-import tempfile
 from pathlib import Path
 
-from chroots import ARTIFACTS, CHROOTS, ROOT, SUITES, Counts, built_zip, enter, ready
+from chroots import ARTIFACTS, Counts, bench, built_zip, chroots, ready
 
 #: Saved files are looked at by Blender itself: prints the shape keys of each mesh object as JSON.
 _LOOK = """
@@ -28,7 +27,8 @@ for obj in bpy.data.objects:
         keys = obj.data.shape_keys
         out[obj.name] = dict(vertices=len(obj.data.vertices), modifiers=[m.name for m in obj.modifiers],
             materials=[m.name for m in obj.data.materials],
-            keys={} if keys is None else {k.name: [k.value, k.slider_min, k.slider_max] for k in keys.key_blocks},
+            keys={} if keys is None else {k.name: [k.value, k.slider_min, k.slider_max]
+                                          for k in keys.key_blocks},
             moved=0 if keys is None else max((a.co - b.co).length for k in keys.key_blocks
                                              for a, b in zip(k.points, keys.reference_key.points)),
             curves=[] if keys is None else [[list(p.co) for p in c.keyframe_points] for c in curves(keys)])
@@ -36,82 +36,41 @@ print('LOOK' + json.dumps(out))
 """
 
 
-def blender(suite, folder, *arguments, timeout=600):
-    """Run Blender in the chroot with this test's own user folder; arguments may name files of `folder`."""
-    environment = f"BLENDER_USER_RESOURCES=/{folder}/user"
-    return enter(
-        suite,
-        "env",
-        environment,
-        "blender",
-        *arguments,
-        capture_output=True,
-        timeout=timeout,
-    )
-
-
-def look(suite, folder, file):
+def look(bench, file):
     """Return what `_LOOK` sees in a saved file, or {} if it cannot be opened."""
-    run = blender(suite, folder, "-b", "--factory-startup", file, "--python-expr", _LOOK)
+    run = bench.run("blender", "-b", "--factory-startup", file, "--python-expr", _LOOK)
     lines = [line[4:] for line in run.stdout.splitlines() if line.startswith("LOOK")]
     return json.loads(lines[0]) if lines else {}
 
 
-def check_suite(suite, zip_path, counts):
+def check_suite(bench, counts):
     """Install into the Blender of one chroot and try everything that its command line promises."""
-    version = enter(suite, "blender", "-b", "--version", capture_output=True).stdout.splitlines()[0]
-    print(f"{suite}: {version}", flush=True)
-    with tempfile.TemporaryDirectory(prefix="boxmorph-", dir=CHROOTS / suite / "tmp") as outside:
-        folder = f"tmp/{Path(outside).name}"
-        shutil.copy(zip_path, f"{outside}/{zip_path.name}")
-        inside = f"/{folder}"
+    version = bench.run("blender", "-b", "--version").stdout.splitlines()[0]
+    print(f"{bench.suite}: {version}", flush=True)
+    run = bench.run("blender", "--command", "extension", "validate", bench.zip)
+    counts.check(run.returncode == 0, "the zip is valid", run.stdout + run.stderr)
+    run = bench.install()
+    if not counts.check(run.returncode == 0, "the zip installs", run.stdout + run.stderr):
+        return
+    counts.check("Traceback" not in run.stdout + run.stderr, "installing is silent", run.stdout + run.stderr)
+    run = bench.make_chair()
+    counts.check(run.returncode == 0, "the chair is made", run.stdout + run.stderr)
+    before = (bench.outside / "chair.blend").read_bytes()
 
-        run = blender(suite, folder, "--command", "extension", "validate", f"{inside}/{zip_path.name}")
-        counts.check(run.returncode == 0, "the zip is valid", run.stdout + run.stderr)
-        run = blender(
-            suite,
-            folder,
-            *("--command", "extension", "install-file", "-r", "user_default", "-e"),
-            f"{inside}/{zip_path.name}",
-        )
-        if not counts.check(run.returncode == 0, "the zip installs", run.stdout + run.stderr):
-            return
-        counts.check(
-            "Traceback" not in run.stdout + run.stderr, "installing is silent", run.stdout + run.stderr
-        )
+    def boxmorph(*arguments, file=bench.chair):
+        opened = ["-b", file] if file else ["-b"]
+        return bench.run("blender", *opened, "--command", "boxmorph", *arguments)
 
-        chair = f"{inside}/chair.blend"
-        run = blender(
-            suite,
-            folder,
-            *(
-                "-b",
-                "--factory-startup",
-                "--python-exit-code",
-                "9",
-                "--python",
-                "/repo/tests/blender/make_chair.py",
-            ),
-            *("--", chair),
-        )
-        counts.check(run.returncode == 0, "the chair is made", run.stdout + run.stderr)
-        before = Path(f"{outside}/chair.blend").read_bytes()
-
-        def boxmorph(*arguments, file=chair):
-            opened = ["-b", file] if file else ["-b"]
-            return blender(suite, folder, *opened, "--command", "boxmorph", *arguments)
-
-        check_done(suite, folder, outside, boxmorph, counts)
-        check_failed(inside, boxmorph, counts)
-        check_usage(boxmorph, counts)
-        counts.check(
-            Path(f"{outside}/chair.blend").read_bytes() == before, "the input file is never written to"
-        )
+    check_done(bench, boxmorph, counts)
+    check_failed(bench.inside, boxmorph, counts)
+    check_usage(boxmorph, counts)
+    after = (bench.outside / "chair.blend").read_bytes()
+    counts.check(after == before, "the input file is never written to")
 
 
-def check_done(suite, folder, outside, boxmorph, counts):
+def check_done(bench, boxmorph, counts):
     """What works: exit code 0, and files as promised."""
-    inside = f"/{folder}"
+    suite, inside, outside = bench.suite, bench.inside, bench.outside
     run = boxmorph(
         *("deform", "--object", "Chair", "--prompt", "a bar stool", "--seed", "3", "--splits", "3"),
         *("--symmetry", "x", "--keyframes", "1:60", "--output", f"{inside}/out.blend"),
@@ -134,7 +93,7 @@ def check_done(suite, folder, outside, boxmorph, counts):
         counts.check(good, f"{name} is a picture")
         if good:
             shutil.copy(picture, ARTIFACTS / f"headless-{suite}-{name}")
-    seen = look(suite, folder, f"{inside}/out.blend").get("Chair", {})
+    seen = look(bench, f"{inside}/out.blend").get("Chair", {})
     key = seen.get("keys", {}).get("a bar stool")
     counts.check(
         key is not None and key[1] < 0 and key[2] > 1 and seen["moved"] > 0.01,
@@ -208,16 +167,15 @@ def check_usage(boxmorph, counts):
 
 
 def main():
-    suites = sys.argv[1:] or SUITES
     zip_path = built_zip()
-    print(f"{zip_path.relative_to(ROOT) if zip_path.is_relative_to(ROOT) else zip_path.name}")
     counts = Counts("headless")
-    for suite in suites:
-        counts.title = f"headless {suite}"
-        if ready(suite):
-            check_suite(suite, zip_path, counts)
+    for chroot in chroots(sys.argv[1:]):
+        counts.title = f"headless {chroot.name}"
+        if ready(chroot):
+            with bench(chroot, zip_path) as prepared:
+                check_suite(prepared, counts)
         else:
-            counts.skip(f"Blender of {suite}", "not provisioned; run scripts/provision_blender.sh")
+            counts.skip(f"Blender of {chroot.name}", "not provisioned; run scripts/provision_blender.sh")
     print(counts.summary())
     return 1 if counts.failed else 0
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""Mouse, keyboard and eyes on a virtual screen with Blender on it. Standard library only; runs inside the chroot."""
+"""Mouse, keyboard and eyes on a virtual screen with Blender on it. Runs inside the chroot."""
 
 import json
 import os
@@ -25,9 +25,9 @@ class Screen:
         runtime.mkdir(mode=0o700)
         self.channel = channel
         read, write = os.pipe()
+        screen = f"{WIDTH}x{HEIGHT}x24"
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "+extension", "GLX"]
-            + ["-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", screen, "-nolisten", "tcp"],
             pass_fds=[write],
             stderr=subprocess.DEVNULL,
         )
@@ -42,10 +42,10 @@ class Screen:
             LIBGL_ALWAYS_SOFTWARE="1",
             BOXMORPH_CHANNEL=str(channel),
         )
+        state = str(Path(__file__).with_name("screen_state.py"))
         self.log = open(self.folder / "blender.log", "w", encoding="utf-8")
         self.blender = subprocess.Popen(
-            ["blender", "-p", "0", "0", str(WIDTH), str(HEIGHT), *self.arguments]
-            + ["--python", str(Path(__file__).with_name("screen_state.py"))],
+            ["blender", "-p", "0", "0", str(WIDTH), str(HEIGHT), *self.arguments, "--python", state],
             env=self.environment,
             stdout=self.log,
             stderr=subprocess.STDOUT,
@@ -99,6 +99,16 @@ class Screen:
             time.sleep(0.1)
         raise RuntimeError(f"waited {seconds} s for: {what}. {error or ''}")
 
+    def quit(self):
+        """Quit Blender by its operator; return the exit code, or None if it hangs."""
+        try:
+            self.ask(
+                "bpy.app.timers.register(lambda: bpy.ops.wm.quit_blender() and None, first_interval=0.2)"
+            )
+            return self.blender.wait(60)
+        except subprocess.TimeoutExpired:
+            return None
+
     def shot(self, path):
         """Save a screenshot."""
         time.sleep(0.4)
@@ -135,7 +145,7 @@ class Screen:
         time.sleep(0.3)
 
     def under(self, x, y):
-        """Return what Blender copies when the mouse is there: a button's Python call, a field's text, or ""."""
+        """Return what Blender copies with the mouse there: a button's Python call, a field's text, or ""."""
         self.ask("setattr(bpy.context.window_manager, 'clipboard', '')")
         self.move(x, y)
         self.key("ctrl+c")

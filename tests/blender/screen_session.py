@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """One sitting of an artist in front of Blender, by mouse and keyboard; runs inside the chroot.
 
-    python3 screen_session.py FOLDER ARTIFACTS     FOLDER holds chair.blend and user/ with the extension installed
+    python3 screen_session.py FOLDER ARTIFACTS SUITE
+
+FOLDER holds chair.blend and user/, where the extension is installed.
 
 Prints "pass" or "FAIL" lines for run_screen.py to count, and keeps a screenshot of each step.
 """
@@ -35,7 +37,7 @@ def open_sidebar(screen):
     # A wide sidebar and the object in the middle, as an artist would have them.
     screen.ask(
         "w, a, r = view()\n"
-        "with bpy.context.temp_override(window=w, area=a, region=next(r for r in a.regions if r.type == 'WINDOW')):\n"
+        "with bpy.context.temp_override(window=w, area=a, region=a.regions[-1]):\n"
         "    bpy.ops.view3d.view_selected()\n"
         "value = True"
     )
@@ -86,6 +88,8 @@ def session(screen, shots):
     screen.type_into(button[0], button[1] - 28, PROMPT)
     typed = screen.ask("bpy.context.scene.boxmorph.prompt")
     report(typed == PROMPT, "the prompt is typed", typed)
+    # The long search, so that it is still running when Esc is pressed.
+    screen.ask("setattr(bpy.context.scene.boxmorph, 'preset', 'paper')")
 
     report(bool(start_search(screen, button)), "a click starts the search")
     screen.wait(lambda: screen.ask(f"moved('{OBJECT}')") > 1e-4, 120, "a preview")
@@ -100,6 +104,7 @@ def session(screen, shots):
     report(records[0] == 0 and records[2] == 0, "Esc leaves no data and no handler", records)
     screen.shot(shots("3-cancelled"))
 
+    screen.ask("setattr(bpy.context.scene.boxmorph, 'preset', 'standard')")
     report(bool(start_search(screen, button)), "it starts again")
     screen.wait(lambda: "BOXMORPH_OT_deform" not in screen.ask("modal()"), 300, "the end of the search")
     found = screen.ask(f"keys('{OBJECT}')")
@@ -138,17 +143,80 @@ def session(screen, shots):
     screen.shot(shots("6-views"))
 
 
+def interruptions(screen):
+    """What else can happen while a search runs: none of it may leave a trace or end Blender."""
+    rectangle = open_sidebar(screen)
+    button = find(screen, rectangle, "bpy.ops.boxmorph.deform(")
+    middle = (rectangle[0] // 2, HEIGHT // 2)
+    nothing = screen.ask(f"keys('{OBJECT}')")
+
+    def searching():
+        start_search(screen, button)
+        screen.wait(lambda: screen.ask(f"moved('{OBJECT}')") > 1e-4, 120, "a preview")
+
+    def ended(what):
+        screen.wait(lambda: "BOXMORPH_OT_deform" not in screen.ask("modal()"), 60, f"the end after {what}")
+        left = screen.ask(f"keys('{OBJECT}')")
+        report(left == nothing, f"{what} ends the search and leaves nothing", left)
+
+    searching()
+    screen.move(*middle)
+    screen.key("ctrl+z")
+    ended("Ctrl+Z")
+
+    searching()
+    screen.click(*find(screen, rectangle, "bpy.ops.boxmorph.cancel(", start=button[1] - rectangle[1] + 34))
+    ended("the button Cancel")
+
+    searching()
+    screen.ask(
+        "w, a, r = view()\nwith bpy.context.temp_override(window=w, area=a): bpy.ops.ed.undo()\nvalue = True"
+    )
+    ended("undo from a menu")
+
+    searching()
+    screen.ask(f"bpy.data.objects.remove(bpy.data.objects['{OBJECT}'])")
+    screen.wait(lambda: "BOXMORPH_OT_deform" not in screen.ask("modal()"), 60, "the end after deleting")
+    report(True, "deleting the object ends the search")
+
+    screen.ask("bpy.ops.wm.revert_mainfile()")
+    select(screen)
+    searching()
+    screen.ask("bpy.ops.wm.revert_mainfile()")
+    screen.wait(lambda: "BOXMORPH_OT_deform" not in screen.ask("modal()"), 60, "the end after loading")
+    report(screen.ask(f"keys('{OBJECT}')") == {}, "loading a file ends the search")
+
+    select(screen)
+    searching()
+    code = screen.quit()
+    report(code == 0, "quitting during a search is clean", code)
+
+
+def select(screen):
+    """Make OBJECT the active and only selected one, as the state that undo returns to; open our tab."""
+    screen.ask(
+        f"bpy.context.view_layer.objects.active = bpy.data.objects['{OBJECT}']\n"
+        "for o in bpy.data.objects: o.select_set(o == bpy.context.view_layer.objects.active)\n"
+        f"bpy.context.scene.boxmorph.prompt = '{PROMPT}'\n"
+        "bpy.context.scene.boxmorph.preset = 'paper'\n"
+        "bpy.ops.ed.undo_push(message='Start')"
+    )
+    open_sidebar(screen)
+
+
 def main(folder, artifacts, suite):
     arguments = ["--factory-startup", "--addons", "bl_ext.user_default.boxmorph", f"{folder}/chair.blend"]
     with Screen(folder, arguments) as screen:
         try:
             session(screen, lambda step: f"{artifacts}/screen-{suite}-{step}.png")
+            screen.ask("bpy.ops.wm.revert_mainfile()")
+            select(screen)
+            interruptions(screen)
         except RuntimeError as error:
             report(False, "the session goes on", error)
             screen.shot(f"{artifacts}/screen-{suite}-failed.png")
-            print(Path(folder, "blender.log").read_text(encoding="utf-8", errors="replace")[-3000:])
     log = Path(folder, "blender.log").read_text(encoding="utf-8", errors="replace")
-    report("Traceback" not in log, "Blender printed no traceback", log[-3000:])
+    report("Traceback" not in log and "Error" not in log, "Blender printed no error", log[-3000:])
 
 
 main(*sys.argv[1:])

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """Runs inside Blender on the virtual screen: evaluates what the driver asks, and prepares the window.
 
-The driver writes {"id", "code"} to $BOXMORPH_CHANNEL/ask.json; the answer goes to answer.json as {"id", "value"} or
-{"id", "error"}. `code` is an expression, or statements that set `value`.
+The driver writes {"id", "code"} to $BOXMORPH_CHANNEL/ask.json; the answer goes to answer.json as
+{"id", "value"} or {"id", "error"}. `code` is an expression, or statements that set `value`.
 """
 
 import json
@@ -38,8 +38,8 @@ def moved(name):
     blocks = bpy.data.objects[name].data.shape_keys
     if blocks is None:
         return 0.0
-    basis = blocks.reference_key.points
-    return max((a.co - b.co).length for key in blocks.key_blocks for a, b in zip(key.points, basis))
+    basis = [point.co.copy() for point in blocks.reference_key.points]
+    return max((key.points[i].co - co).length for key in blocks.key_blocks for i, co in enumerate(basis))
 
 
 def _answer():
@@ -64,7 +64,7 @@ def _answer():
         answer["error"] = traceback.format_exc()
     path = os.path.join(CHANNEL, "answer.json")
     with open(path + ".new", "w", encoding="utf-8") as file:
-        json.dump(answer, file)
+        json.dump(answer, file, default=str)
     os.replace(path + ".new", path)
     return 0.05
 

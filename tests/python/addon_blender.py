@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """Blender as a Python module with the built extension installed, for the tests named test_addon_*.
 
-Import it before `bpy`: it gives Blender a user folder of its own, so that a developer's settings neither matter nor
-change. `BOXMORPH_ZIP` names the zip (default: the one in dist/).
+Import it before `bpy`: it gives Blender a user folder of its own, so that a developer's settings neither
+matter nor change. `BOXMORPH_ZIP` names the zip (default: the one in dist/).
 """
 
 import atexit

@@ -115,6 +115,21 @@ def test_modifiers_are_seen_and_never_applied():
     assert np.abs(blender.positions(key)[on_plane, 0]).max() < 1e-3
 
 
+def test_objects_are_searched_as_their_scale_shows_them():
+    obj = blender.chair()
+    for vertex in obj.data.vertices:
+        vertex.co.z /= 4.0
+    obj.scale.z = 4.0
+    bpy.context.view_layer.update()
+    blender.deform(PROMPT)
+    scaled = blender.positions(obj.data.shape_keys.key_blocks[PROMPT]) * (1.0, 1.0, 4.0)
+
+    blender.empty_scene()
+    obj = blender.chair()
+    blender.deform(PROMPT)
+    assert np.allclose(scaled, blender.positions(obj.data.shape_keys.key_blocks[PROMPT]), atol=1e-3)
+
+
 def test_posed_objects_are_deformed_at_rest():
     obj = blender.chair()
     blender.deform(PROMPT)
