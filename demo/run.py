@@ -88,7 +88,7 @@ def _deform(extension, name, source, prompt):
     import bpy
 
     command = importlib.import_module(f"{extension}.command")
-    folder = OUT / f"{source.stem}-{prompt.split(' ', 1)[1].replace(' ', '-')}"
+    folder = _folder(name, prompt)
     folder.mkdir()
     report_path = folder / "report.json"
     bpy.ops.wm.open_mainfile(filepath=str(source))
@@ -106,13 +106,17 @@ def _deform(extension, name, source, prompt):
     return (source.stem, prompt, *scores, report["evaluations"], f"{report['seconds']:.1f}")
 
 
+def _folder(name, prompt):
+    return OUT / f"{name}-{prompt.split(' ', 1)[1]}".replace("_", "-").replace(" ", "-")
+
+
 def _pictures(extension, folder, report):
     """Write the pictures of the object as Blender shows it, modifiers included.
 
     Returns the values of the strip: ALPHAS, held within the slider's limits.
     """
-    import bpy
     import boxmorph
+    import bpy
     import sheets
 
     mesh_io = importlib.import_module(f"{extension}.mesh_io")
@@ -141,7 +145,7 @@ def _readme(names):
 
     rows = []
     for name in names:
-        folders = sorted(OUT.glob(f"{name.replace('_', '-')}-*/"))
+        folders = [_folder(name, prompt) for prompt in PROMPTS[name]]
         row = [portrait.render(folders[0], 1)] + [portrait.render(folder, 60) for folder in folders]
         rows.append(row)
     path = ROOT / "docs" / "images" / "demo.png"

@@ -33,14 +33,13 @@ def spectrum(boxmorph, shapes, triangles):
 
 
 def grid(rows, gap=10):
-    """Rows of equal pictures, (h, w, 3) each, as one picture with gaps between the rows."""
-    rows = [np.concatenate(row, axis=1) for row in rows]
-    between = np.full((gap, rows[0].shape[1], 3), 255, np.uint8)
-    return np.concatenate([part for row in rows for part in (between, row)][1:], axis=0)
+    """Rows of equal pictures, (h, w, 3) each, as one picture with white gaps."""
+    padded = [[np.pad(p, ((0, gap), (0, gap), (0, 0)), constant_values=255) for p in row] for row in rows]
+    return np.concatenate([np.concatenate(row, axis=1) for row in padded], axis=0)[:-gap, :-gap]
 
 
 def save_png(picture, path):
-    """Write a picture as small as a PNG with one filter gets."""
+    """Write a PNG file."""
     height, width, _ = picture.shape
     left = np.pad(picture, ((0, 0), (1, 0), (0, 0)))[:, :-1]
     lines = np.concatenate([np.ones((height, 1), np.uint8), (picture - left).reshape(height, -1)], axis=1)
