@@ -8,6 +8,7 @@ report.json, and prints a table. With --readme it also renders docs/images/demo.
 import argparse
 import atexit
 import contextlib
+import functools
 import importlib
 import io
 import json
@@ -38,20 +39,31 @@ def main():
     options = parser.parse_args()
     shutil.rmtree(OUT, ignore_errors=True)
     OUT.mkdir(parents=True)
+    say = _speak_alone()
     extension = _install()
     began = time.monotonic()
     rows = []
     for name in options.object or PROMPTS:
         source = _model(name)
         for prompt in PROMPTS[name]:
+            say(f"{name.replace('_', ' ')} to {prompt} …")
             rows.append(_deform(extension, name, source, prompt))
     seconds = time.monotonic() - began
-    print("\n" + _ROW.format("object", "prompt", "before", "after", "evaluations", "seconds"))
+    say("\n" + _ROW.format("object", "prompt", "before", "after", "evaluations", "seconds"))
     for row in rows:
-        print(_ROW.format(*row))
-    print(f"\n{len(rows)} results in {seconds:.0f} s, in {OUT.relative_to(ROOT)}/")
+        say(_ROW.format(*row))
+    say(f"\n{len(rows)} results in {seconds:.0f} s, in {OUT.relative_to(ROOT)}/")
     if options.readme:
-        _readme(options.object or PROMPTS)
+        say(_readme(options.object or PROMPTS))
+
+
+def _speak_alone():
+    """Send what Blender prints, in C and in Python, to nowhere. Returns a print() to the terminal."""
+    terminal = os.fdopen(os.dup(1), "w", buffering=1)
+    nowhere = open(os.devnull, "w")
+    os.dup2(nowhere.fileno(), 1)
+    sys.stdout = nowhere
+    return functools.partial(print, file=terminal)
 
 
 def _install():
@@ -139,7 +151,10 @@ def _pictures(extension, folder, report):
 
 
 def _readme(names):
-    """Render each object and its outcomes from the saved files, as docs/images/demo.png."""
+    """Render each object and its outcomes from the saved files, as docs/images/demo.png.
+
+    Returns what was written, in words.
+    """
     import portrait
     import sheets
 
@@ -151,7 +166,7 @@ def _readme(names):
     path = ROOT / "docs" / "images" / "demo.png"
     path.parent.mkdir(parents=True, exist_ok=True)
     sheets.save_png(sheets.grid(rows), path)
-    print(f"{path.relative_to(ROOT)}: {path.stat().st_size // 1024} kB")
+    return f"{path.relative_to(ROOT)}: {path.stat().st_size // 1024} kB"
 
 
 if __name__ == "__main__":
