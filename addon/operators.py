@@ -71,7 +71,8 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         wm = context.window_manager
         self._timer = wm.event_timer_add(_TICK_SECONDS, window=context.window)
         self._workspace = context.workspace.name
-        bpy.app.handlers.undo_post.append(_on_undo)
+        for handlers in _undo_handlers():
+            handlers.append(_before_undo)
         wm.modal_handler_add(self)
         self._show_status(context)
         return {"RUNNING_MODAL"}
@@ -143,6 +144,11 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
     def _give_up(self, context, message):
         search = _Running.search
         search.cancel()
+        obj = search.find_object()
+        if obj is not None and obj.mode != "OBJECT":
+            # The edits of this mode are the user's: the preview goes when they leave it.
+            _Running.stop = True
+            return {"PASS_THROUGH"}
         self._take_back(search)
         self._clear(context)
         self.report({"INFO"}, message)
@@ -150,12 +156,8 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
 
     def _take_back(self, search):
         obj = search.find_object()
-        if obj is None:
-            return
-        if obj.mode != "OBJECT" and obj == bpy.context.object:
-            # A key cannot be removed in Edit Mode, and the edits of this mode are the user's.
-            bpy.ops.object.mode_set(mode="OBJECT")
-        search.take_back(obj)
+        if obj is not None:
+            search.take_back(obj)
 
     def _refuse(self, refusal):
         self.report({"ERROR"}, str(refusal))
@@ -173,8 +175,9 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         if self._timer is not None:
             context.window_manager.event_timer_remove(self._timer)
             self._timer = None
-        if _on_undo in bpy.app.handlers.undo_post:
-            bpy.app.handlers.undo_post.remove(_on_undo)
+        for handlers in _undo_handlers():
+            if _before_undo in handlers:
+                handlers.remove(_before_undo)
         workspace = bpy.data.workspaces.get(self._workspace)
         if workspace is not None:
             workspace.status_text_set(None)
@@ -327,10 +330,22 @@ def redraw_panels(context):
                         region.tag_redraw()
 
 
+def _undo_handlers():
+    return bpy.app.handlers.undo_pre, bpy.app.handlers.redo_pre
+
+
 @persistent
-def _on_undo(*_):
-    # What the trial wrote may be undone by now; the next tick cleans up with fresh pointers.
+def _before_undo(*_):
+    # Undo keeps a mesh that no undo step changed, and frees a Key that no step knows: the preview must go
+    # first, or the mesh would point to freed memory. Entering Edit Mode has made a step that knows the Key.
+    search = _Running.search
+    if search is None:
+        return
     _Running.undone = True
+    search.cancel()
+    obj = search.find_object()
+    if obj is not None and obj.mode == "OBJECT":
+        search.take_back(obj)
 
 
 classes = (

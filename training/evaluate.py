@@ -8,10 +8,9 @@ import itertools
 import json
 from pathlib import Path
 
-import boxmorph
 import numpy as np
 import onnxruntime
-from generate import CLEAR, SIZE
+from generate import SIZE, grey_views
 from kinds import FAMILY_WORDS, NAMES
 from tokenizers import Tokenizer
 
@@ -38,17 +37,12 @@ class GuideFiles:
         return self.text.run(None, {"input_ids": ids, "attention_mask": mask})[0]
 
     def shapes(self, images, grounds=3):
-        """Mean embeddings (k, d) over 4 views and the first backgrounds of (k, 4, SIZE, SIZE) uint8, CLEAR
-        outside.
-        """
-        clear = images[:, :, None] == CLEAR
+        """Mean embeddings (k, d) over 4 views and the first backgrounds; images are grey and coverage."""
+        grey, cover = (images[:, :, None, ..., i].astype(np.float32) for i in range(2))
         out = 0
         for ground in BACKGROUNDS[:grounds]:
-            x = np.where(clear, ground[:, None, None], images[:, :, None].astype(np.float32)) / 127.5 - 1
-            out = (
-                out
-                + self.image.run(None, {"pixel_values": x.reshape(-1, 3, SIZE, SIZE).astype(np.float32)})[0]
-            )
+            x = (grey * cover + ground[:, None, None] * (255 - cover)) / (127.5 * 255) - 1
+            out = out + self.image.run(None, {"pixel_values": x.reshape(-1, 3, SIZE, SIZE)})[0]
         return out.reshape(len(images), 4, -1).mean(1) / grounds
 
 
@@ -101,9 +95,7 @@ def name_meshes(guide, folder):
     words = guide.words(guide.classes)
     named = {}
     for path in sorted(Path(folder).glob("*.obj")):
-        image = boxmorph.render(*read_obj(path), size=SIZE, views="paper", renderer="cpu")
-        gray = np.where(image[..., -1] > 127, np.minimum(image[..., 0], CLEAR - 1), CLEAR)
-        score = guide.shapes(gray[None])[0] @ words.T
+        score = guide.shapes(grey_views(*read_obj(path))[None])[0] @ words.T
         named[path.stem] = [(guide.classes[i], round(float(score[i]), 3)) for i in np.argsort(-score)[:3]]
     return named
 

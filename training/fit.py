@@ -7,14 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import torch
-from generate import CLEAR
 from kinds import CAPTIONS, NAMES
 from model import ImageEncoder, TextEncoder
 from text import ADJECTIVES, attribute_of, encode, phrases
 from torch.nn.functional import binary_cross_entropy_with_logits
 
 BACKGROUNDS = torch.tensor([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [1.0, 0.5, 0.0]])
-SHAPES = 64  # shapes a batch, four images each
+SHAPES = 32  # shapes a batch, four images each
 MINED = 0.35  # share of a batch that comes from searches, once there are any
 HELD_OUT = 2000  # shapes at the end of the first folder that no net is trained on
 
@@ -27,14 +26,12 @@ def goal(gap):
 
 
 def composite(images, rng):
-    """(k, 4, s, s) uint8 with CLEAR outside to (4k, 3, s, s) in -1..1, each on a random background, shifted
-    a little.
-    """
-    k, v, s, _ = images.shape
-    flat = torch.from_numpy(np.roll(images, rng.integers(-1, 2, 2), (2, 3)).reshape(k * v, 1, s, s))
-    clear = flat == CLEAR
+    """Grey and coverage (k, 4, s, s, 2) uint8 to (4k, 3, s, s) in -1..1: random backgrounds, small shifts."""
+    k, v, s = images.shape[:3]
+    flat = torch.from_numpy(np.roll(images, rng.integers(-1, 2, 2), (2, 3)).reshape(k * v, 1, s, s, 2))
+    grey, cover = flat[..., 0].float() / 255, flat[..., 1].float() / 255
     ground = BACKGROUNDS[torch.from_numpy(rng.integers(0, 3, k * v))][:, :, None, None]
-    return torch.where(clear, ground, flat.float() / 255) * 2 - 1
+    return (grey * cover + ground * (1 - cover)) * 2 - 1
 
 
 def mixed_captions(rng, count=14):

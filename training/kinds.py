@@ -221,7 +221,7 @@ CAPTIONS = [k for _, k in NAMES] + list(FAMILY_WORDS.values()) + [f"{a} {n}" for
 
 
 def scale(name, value):
-    """The axis on which a proportion is compared: log, shifted where it may be zero; the sweep stays linear."""
+    """Where a proportion is compared: on a log axis, shifted if it may be zero; the sweep stays linear."""
     if name == "sweep":
         return value
     return np.log(value + (EPSILON if name in ZERO_BASED else 0.0))

@@ -12,7 +12,7 @@ from pathlib import Path
 import boxmorph
 import numpy as np
 from evaluate import GuideFiles
-from generate import CLEAR, FAMILY_SHARE, SIZE
+from generate import FAMILY_SHARE, grey_views
 from kinds import CAPTIONS, KINDS, draw, truth
 from shapes import FAMILIES
 from shapes.shape import roughen
@@ -54,14 +54,6 @@ def _normals(v, f):
     return n / np.maximum(np.linalg.norm(n, axis=1, keepdims=True), 1e-12)
 
 
-def gray(vertices, triangles):
-    """The four views as generate.py stores them."""
-    image = boxmorph.render(
-        np.ascontiguousarray(vertices, np.float32), triangles, size=SIZE, views="paper", renderer="cpu"
-    )
-    return np.where(image[..., -1] > 127, np.minimum(image[..., 0], CLEAR - 1), CLEAR)
-
-
 def mine(guide, folder, count, seed):
     """Search on `count` shapes and keep twenty candidates of each."""
     rng = np.random.default_rng(seed)
@@ -80,10 +72,12 @@ def mine(guide, folder, count, seed):
             continue
         kinds = list(KINDS[name])
         wish = guide.words([article(kinds[rng.integers(len(kinds))])])[0]
-        seen = []
+        seen, turn = [], np.float32([1, 1, 1] if rng.random() < 0.5 else [-1, -1, 1])
 
-        def score(scales, graph=graph, triangles=triangles, wish=wish, seen=seen):
-            batch = np.stack([gray(graph.deform(s.astype(np.float32)), triangles) for s in scales])
+        def score(scales, graph=graph, triangles=triangles, wish=wish, seen=seen, turn=turn):
+            batch = np.stack(
+                [grey_views(graph.deform(s.astype(np.float32)) * turn, triangles) for s in scales]
+            )
             seen.append(batch)
             return guide.shapes(batch, grounds=1) @ wish
 
@@ -120,7 +114,7 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("guide")
     parser.add_argument("folder")
-    parser.add_argument("--count", type=int, default=600)
+    parser.add_argument("--count", type=int, default=400)
     parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
     mine(GuideFiles(arguments.guide), arguments.folder, arguments.count, arguments.seed)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""The two encoders: a small convolutional network for 64 x 64 images, and a bag of words with a small head."""
+"""The two encoders: a small convolutional network for 64 x 64 images, and a bag of words with a head."""
 
 import torch
 from text import FILLERS, PAD, UNKNOWN, plural_pairs, vocabulary

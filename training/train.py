@@ -17,7 +17,7 @@ from generate import generate
 
 HERE = Path(__file__).parent
 # Each round: batches trained, highest learning rate, searches mined with the guide it leaves.
-ROUNDS = ((700, 2e-3, 500), (4000, 2e-3, 500), (2500, 1.2e-3, 0))
+ROUNDS = ((1400, 2e-3, 400), (3000, 2e-3, 400), (2500, 1.2e-3, 0))
 
 
 def run(*command):
@@ -38,7 +38,7 @@ def main():
     parser.add_argument(
         "--guide", type=Path, default=HERE.parent / "guides" / "mini", help="folder to write the guide to"
     )
-    parser.add_argument("--count", type=int, default=50_000, help="shapes drawn before any search")
+    parser.add_argument("--count", type=int, default=28_000, help="shapes drawn before any search")
     parser.add_argument("--nets", type=int, default=2)
     parser.add_argument("--seed", type=int, default=11)
     parser.add_argument("--short", type=int, default=1, help="divide all counts by this, to try the pipeline")

@@ -40,14 +40,9 @@ impl Maker {
         let mut side = Maker::default();
         let e = high - low;
         let (x, y, z) = (Vec3::X * e.x, Vec3::Y * e.y, Vec3::Z * e.z);
-        for (origin, a, b) in [
-            (low, y, x),
-            (low, x, z),
-            (low, z, y),
-            (low + z, x, y),
-            (low + y, z, x),
-            (low + x, y, z),
-        ] {
+        for (origin, a, b) in
+            [(low, y, x), (low, x, z), (low, z, y), (low + z, x, y), (low + y, z, x), (low + x, y, z)]
+        {
             side.patch(origin, a, b, (n, n));
         }
         self.join(side)
@@ -156,8 +151,9 @@ pub fn ball() -> Mesh {
 /// A cone, point up.
 pub fn cone() -> Mesh {
     let mut m = Maker::default();
-    let profile: Vec<(f32, f32)> =
-        std::iter::once((0.0, 0.0)).chain((0..=20).map(|i| (0.5 - i as f32 * 0.025, i as f32 * 0.1))).collect();
+    let profile: Vec<(f32, f32)> = std::iter::once((0.0, 0.0))
+        .chain((0..=20).map(|i| (0.5 - i as f32 * 0.025, i as f32 * 0.1)))
+        .collect();
     m.lathe(Vec3::ZERO, 32, &profile);
     m.mesh()
 }

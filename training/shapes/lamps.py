@@ -99,7 +99,7 @@ def _straight(shape, rng, height, shade, foot, stem):
     else:
         k = rng.uniform(0.2, 0.48, 5)
         z = np.linspace(foot, low * 0.92, 5)
-        solid = lathe([*list(zip(k, z, strict=False)), (stem, low * 0.95), (stem, top)])
+        solid = lathe([*zip(k, z, strict=True), (stem, low * 0.95), (stem, top)])
     shape.add("stem", solid, (0, 0, foot), "foot")
     _hood(shape, rng, np.array([0, 0, low]), shade, tall, 0.0, "stem")
 
@@ -119,16 +119,21 @@ def _arm(shape, rng, height, shade, reach, foot, stem, jointed):
         joint = stem * rng.uniform(1.2, 2.0)
         shape.add("stem", bar((0, 0, foot * 0.5), bend, stem, sides=8), at, "foot")
         shape.add("stem", cushion(bend, (joint, joint, joint), 2, 8, 5), at, "foot")
-        shape.add("stem", bar(bend, (*head, 0, 0, 0.6 * tall), stem * 0.9, sides=8), at, "foot")
+        shape.add("stem", bar(bend, head + np.array([0, 0, 0.6 * tall]), stem * 0.9, sides=8), at, "foot")
         if rng.random() < 0.4:
             side = np.array([stem * 2.2, 0, 0])
-            shape.add("stem", bar((*side, 0, 0, foot), bend + side, stem * 0.5, sides=6), at, "foot")
+            shape.add(
+                "stem", bar(side + np.array([0, 0, foot]), bend + side, stem * 0.5, sides=6), at, "foot"
+            )
     else:
         low = height * rng.uniform(0.55, 0.85)
         shape.add("stem", bar((0, 0, foot * 0.5), (0, 0, low), stem, sides=10), at, "foot")
         bow = np.array([0, 0, 0.16 * height * rng.uniform(0.3, 1)])
         shape.add(
-            "stem", bar((0, 0, low), (*head, 0, 0, 0.6 * tall), stem * 0.9, stem * 0.7, 8, bow, 7), at, "foot"
+            "stem",
+            bar((0, 0, low), head + np.array([0, 0, 0.6 * tall]), stem * 0.9, stem * 0.7, 8, bow, 7),
+            at,
+            "foot",
         )
     tilt = -np.sign(reach) * rng.choice([0.0, rng.uniform(-0.2, 1.0)])
     _hood(shape, rng, head, shade, tall, tilt, "stem")

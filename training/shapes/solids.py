@@ -30,7 +30,7 @@ def loft(rings):
 
 
 def outline(sides, roundness=2.0, phase=0.0):
-    """Unit closed curve (sides, 2): a superellipse of the given exponent, 2 is a circle, large is a square."""
+    """Unit closed curve (sides, 2): a superellipse of the given exponent, 2 a circle, large a square."""
     t = np.linspace(0, 2 * np.pi, sides, endpoint=False) + phase
     c, s = np.cos(t), np.sin(t)
     r = (np.abs(c) ** roundness + np.abs(s) ** roundness) ** (-1 / roundness)
