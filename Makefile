@@ -52,8 +52,7 @@ bench: setup $(VENV)/.test-requirements ## measure field, rendering, encoding an
 
 lint: setup $(VENV)/.test-requirements ## check formatting, clippy, ruff and, where installed, cargo deny
 	cargo fmt --check
-	cargo clippy --release --all-targets -- -D warnings
-	cargo clippy --release --features python -- -D warnings
+	cargo clippy --release --all-targets --features python -- -D warnings
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	@if command -v cargo-deny >/dev/null; then cargo deny check; else echo "cargo-deny is not installed: licences and advisories are not checked"; fi

@@ -29,7 +29,7 @@ def grid_chair(vertices_wanted):
                 unit = np.insert(np.stack([u, v], 1), axis, end, axis=1)
                 triangles.append(face + sum(map(len, vertices)))
                 vertices.append(np.array(low) + unit * (np.array(high) - np.array(low)))
-    return np.concatenate(vertices).astype(np.float32), np.concatenate(triangles).astype(np.int32)
+    return np.concatenate(vertices).astype(np.float32), np.ascontiguousarray(np.concatenate(triangles), np.int32)
 
 
 def best_of(rounds, work):

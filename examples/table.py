@@ -30,6 +30,9 @@ def build():
         model.block(
             (low, front - 0.012, 0.612), (high, front + 0.002, 0.71), "Walnut", 0.003, "Drawers", cut=0.1
         )
+        model.block(
+            (low + 0.01, front, 0.615), (high - 0.01, 0.31, 0.705), "Walnut", 0.003, "Drawers", cut=0.1
+        )
         model.lathe(_KNOB, "Brass", (x * 0.29, front - 0.012, 0.661), (0, -1, 0), 16, "Drawers")
     return model.finish()
 

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""Figures for the model card: how well a guide names held-out shapes, and unseen meshes in a folder of .obj files."""
+"""Figures for the model card: how well a guide names held-out shapes, and unseen meshes in a folder of .obj
+files.
+"""
 
 import argparse
+import itertools
 import json
 from pathlib import Path
 
-import boxmorph
 import numpy as np
 import onnxruntime
-from generate import CLEAR, SIZE
+from generate import SIZE, grey_views
 from kinds import FAMILY_WORDS, NAMES
 from tokenizers import Tokenizer
 
@@ -18,9 +20,11 @@ BACKGROUNDS = np.array([[0, 0, 0], [255, 255, 255], [255, 128, 0]], np.float32)
 class GuideFiles:
     """The two sessions and the tokenizer of a guide folder."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, threads=1):
         folder = Path(folder)
-        self.image = onnxruntime.InferenceSession(str(folder / "vision_model.onnx"))
+        options = onnxruntime.SessionOptions()
+        options.intra_op_num_threads = threads
+        self.image = onnxruntime.InferenceSession(str(folder / "vision_model.onnx"), options)
         self.text = onnxruntime.InferenceSession(str(folder / "text_model.onnx"))
         self.tokenizer = Tokenizer.from_file(str(folder / "tokenizer.json"))
         self.config = json.loads((folder / "config.json").read_text())
@@ -32,30 +36,42 @@ class GuideFiles:
         ids, mask = np.array([r.ids for r in rows]), np.array([r.attention_mask for r in rows])
         return self.text.run(None, {"input_ids": ids, "attention_mask": mask})[0]
 
-    def shapes(self, images):
-        """Mean embeddings (k, d) over 4 views and 3 backgrounds of (k, 4, SIZE, SIZE) uint8, CLEAR outside."""
-        clear = images[:, :, None] == CLEAR
+    def shapes(self, images, grounds=3):
+        """Mean embeddings (k, d) over 4 views and the first backgrounds; images are grey and coverage."""
+        grey, cover = (images[:, :, None, ..., i].astype(np.float32) for i in range(2))
         out = 0
-        for ground in BACKGROUNDS:
-            x = np.where(clear, ground[:, None, None], images[:, :, None].astype(np.float32)) / 127.5 - 1
-            out = out + self.image.run(None, {"pixel_values": x.reshape(-1, 3, SIZE, SIZE).astype(np.float32)})[0]
-        return out.reshape(len(images), 4, -1).mean(1) / len(BACKGROUNDS)
+        for ground in BACKGROUNDS[:grounds]:
+            x = (grey * cover + ground[:, None, None] * (255 - cover)) / (127.5 * 255) - 1
+            out = out + self.image.run(None, {"pixel_values": x.reshape(-1, 3, SIZE, SIZE)})[0]
+        return out.reshape(len(images), 4, -1).mean(1) / grounds
 
 
 def held_out(guide, folder, count=2000):
-    """By family, among shapes that clearly are of one kind: share whose kind is ranked first, in the first three."""
+    """By family, among shapes that clearly are of one kind: share whose kind is ranked first, in the first
+    three.
+    """
     images = np.load(Path(folder) / "images.npy", mmap_mode="r")[-count:]
     truth = np.exp(-np.load(Path(folder) / "gaps.npy")[-count:].astype(float))[:, : len(NAMES)]
-    score = np.concatenate([guide.shapes(images[i : i + 100]) for i in range(0, len(images), 100)]) @ guide.words(guide.classes).T
+    score = (
+        np.concatenate([guide.shapes(images[i : i + 100]) for i in range(0, len(images), 100)])
+        @ guide.words(guide.classes).T
+    )
     family = np.load(Path(folder) / "family.npy")[-count:]
     order = np.argsort(-truth, 1)
-    best, second = np.take_along_axis(truth, order[:, :1], 1)[:, 0], np.take_along_axis(truth, order[:, 1:2], 1)[:, 0]
+    best, second = (
+        np.take_along_axis(truth, order[:, :1], 1)[:, 0],
+        np.take_along_axis(truth, order[:, 1:2], 1)[:, 0],
+    )
     clear = (best > 0.7) & (second < 0.5)
     rank = (score > np.take_along_axis(score, order[:, :1], 1)).sum(1)
     figures = {}
     for i, name in enumerate(FAMILY_WORDS):
         pick = clear & (family == i)
-        figures[name] = {"shapes": int(pick.sum()), "first": float((rank[pick] == 0).mean()), "first three": float((rank[pick] < 3).mean())}
+        figures[name] = {
+            "shapes": int(pick.sum()),
+            "first": float((rank[pick] == 0).mean()),
+            "first three": float((rank[pick] < 3).mean()),
+        }
     figures["correlation of score and truth"] = float(np.corrcoef(score.ravel(), truth.ravel())[0, 1])
     return figures
 
@@ -70,7 +86,7 @@ def read_obj(path):
             vertices.append((x, -z, y))
         elif word == "f":
             ring = [int(r.split("/")[0]) - 1 for r in rest]
-            triangles += [(ring[0], b, c) for b, c in zip(ring[1:], ring[2:])]
+            triangles += [(ring[0], b, c) for b, c in itertools.pairwise(ring)]
     return np.array(vertices, np.float32), np.array(triangles, np.uint32)
 
 
@@ -79,9 +95,7 @@ def name_meshes(guide, folder):
     words = guide.words(guide.classes)
     named = {}
     for path in sorted(Path(folder).glob("*.obj")):
-        image = boxmorph.render(*read_obj(path), size=SIZE, views="paper", renderer="cpu")
-        gray = np.where(image[..., -1] > 127, np.minimum(image[..., 0], CLEAR - 1), CLEAR)
-        score = guide.shapes(gray[None])[0] @ words.T
+        score = guide.shapes(grey_views(*read_obj(path))[None])[0] @ words.T
         named[path.stem] = [(guide.classes[i], round(float(score[i]), 3)) for i in np.argsort(-score)[:3]]
     return named
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""Trained weights to the guide folder: two ONNX files (opset 17, weights stored as float16), tokenizer, configs.
+"""Trained weights to the guide folder: two ONNX files (opset 17, weights stored as float16), tokenizer,
+configs.
 
-Several trained pairs become one guide: their unit embeddings side by side, divided by the root of their number, so
-that the cosine of the whole is the mean of their cosines.
+Several trained pairs become one guide: their unit embeddings side by side, divided by the root of their
+number, so that the cosine of the whole is the mean of their cosines.
 """
 
 import json
@@ -43,7 +44,9 @@ class Graph:
         self.nodes[-1].output[0] = output
         out = helper.make_tensor_value_info(output, TensorProto.FLOAT, ["batch", width])
         graph = helper.make_graph(self.nodes, Path(path).stem, inputs, [out], self.weights)
-        model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", 17)], producer_name="boxmorph")
+        model = helper.make_model(
+            graph, opset_imports=[helper.make_opsetid("", 17)], producer_name="boxmorph"
+        )
         model.ir_version = 8
         onnx.checker.check_model(model)
         onnx.save(model, path)
@@ -53,7 +56,9 @@ def _unit(graph, x, share):
     """x scaled to the length `share` along its last axis."""
     length = graph.op("ReduceL2", [x], axes=[-1], keepdims=1)
     safe = graph.op("Max", [length, graph.constant(np.float32(1e-12), f"tiny_{graph.count}")])
-    return graph.op("Mul", [graph.op("Div", [x, safe]), graph.constant(np.float32(share), f"share_{graph.count}")])
+    return graph.op(
+        "Mul", [graph.op("Div", [x, safe]), graph.constant(np.float32(share), f"share_{graph.count}")]
+    )
 
 
 def _folded(conv, norm):
@@ -74,7 +79,10 @@ def image_model(encoders, path):
             x = graph.op("Conv", [x, *names], kernel_shape=[3, 3], strides=[2, 2], pads=[1, 1, 1, 1])
             x = graph.op("Relu", [x])
         head = encoder.head
-        names = [graph.constant(head.weight.detach().numpy(), f"net{n}_head"), graph.constant(head.bias.detach().numpy(), f"net{n}_head_bias")]
+        names = [
+            graph.constant(head.weight.detach().numpy(), f"net{n}_head"),
+            graph.constant(head.bias.detach().numpy(), f"net{n}_head_bias"),
+        ]
         x = graph.op("Gemm", [graph.op("Flatten", [x]), *names], transB=1)
         parts.append(_unit(graph, x, len(encoders) ** -0.5))
     graph.op("Concat", parts, axis=1)
@@ -94,15 +102,25 @@ def text_model(encoders, path):
     total = graph.op("Sqrt", [graph.op("Max", [total, graph.constant(np.float32(1), "one")])])
     weight = graph.op("Unsqueeze", [weight, last])
     for n, encoder in enumerate(encoders):
-        words = graph.op("Gather", [graph.constant(encoder.table().detach().numpy(), f"net{n}_words"), "input_ids"])
-        mean = graph.op("Div", [graph.op("ReduceSum", [graph.op("Mul", [words, weight]), axis], keepdims=0), total])
+        words = graph.op(
+            "Gather", [graph.constant(encoder.table().detach().numpy(), f"net{n}_words"), "input_ids"]
+        )
+        mean = graph.op(
+            "Div", [graph.op("ReduceSum", [graph.op("Mul", [words, weight]), axis], keepdims=0), total]
+        )
         for layer, linear in (("hidden", encoder.hidden), ("out", encoder.out)):
-            names = [graph.constant(linear.weight.detach().numpy(), f"net{n}_{layer}"), graph.constant(linear.bias.detach().numpy(), f"net{n}_{layer}_bias")]
+            names = [
+                graph.constant(linear.weight.detach().numpy(), f"net{n}_{layer}"),
+                graph.constant(linear.bias.detach().numpy(), f"net{n}_{layer}_bias"),
+            ]
             mean = graph.op("Gemm", [mean, *names], transB=1)
             mean = graph.op("Relu", [mean]) if layer == "hidden" else mean
         parts.append(_unit(graph, mean, len(encoders) ** -0.5))
     graph.op("Concat", parts, axis=1)
-    inputs = [helper.make_tensor_value_info(n, TensorProto.INT64, ["batch", "sequence"]) for n in ("input_ids", "attention_mask")]
+    inputs = [
+        helper.make_tensor_value_info(n, TensorProto.INT64, ["batch", "sequence"])
+        for n in ("input_ids", "attention_mask")
+    ]
     graph.save(path, inputs, "text_embeds", EMBEDDING * len(encoders))
 
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""The two encoders: a small convolutional network for 64 x 64 images, and a bag of words with a small head."""
+"""The two encoders: a small convolutional network for 64 x 64 images, and a bag of words with a head."""
 
 import torch
 from text import FILLERS, PAD, UNKNOWN, plural_pairs, vocabulary
 from torch import nn
-from torch.nn import functional as F
+from torch.nn.functional import normalize
 
 WIDTHS = (24, 48, 96, 160)
 EMBEDDING = 64
@@ -17,17 +17,23 @@ class ImageEncoder(nn.Module):
         super().__init__()
         layers, last = [], 3
         for width in WIDTHS:
-            layers += [nn.Conv2d(last, width, 3, 2, 1, bias=False), nn.BatchNorm2d(width), nn.ReLU(inplace=True)]
+            layers += [
+                nn.Conv2d(last, width, 3, 2, 1, bias=False),
+                nn.BatchNorm2d(width),
+                nn.ReLU(inplace=True),
+            ]
             last = width
         self.features = nn.Sequential(*layers)
         self.head = nn.Linear(last * 16, EMBEDDING)
 
     def forward(self, images):
-        return F.normalize(self.head(self.features(images).flatten(1)).float(), dim=-1)
+        return normalize(self.head(self.features(images).flatten(1)).float(), dim=-1)
 
 
 class TextEncoder(nn.Module):
-    """(k, length) token ids to (k, EMBEDDING) unit vectors; padding, fillers and unknown words weigh nothing."""
+    """(k, length) token ids to (k, EMBEDDING) unit vectors; padding, fillers and unknown words weigh
+    nothing.
+    """
 
     def __init__(self, width=64):
         super().__init__()
@@ -50,4 +56,4 @@ class TextEncoder(nn.Module):
     def forward(self, ids):
         weight = self.weight[ids]
         mean = (self.table()[ids] * weight).sum(1) / weight.sum(1).clamp(min=1.0).sqrt()
-        return F.normalize(self.out(torch.relu(self.hidden(mean))), dim=-1)
+        return normalize(self.out(torch.relu(self.hidden(mean))), dim=-1)

@@ -10,8 +10,8 @@ PAD, UNKNOWN = "[PAD]", "[UNK]"
 
 # Words that carry no meaning here: known, never reported, and weightless in the text encoder.
 FILLERS = (
-    "a an the this that one some my our of with and in on for as is it to photo picture image render rendering drawing "
-    "3d model shape object design view modern new kind type style . , ! ? - ' \""
+    "a an the this that one some my our of with and in on for as is it to photo picture image render "
+    "rendering drawing 3d model shape object design view modern new kind type style . , ! ? - ' \""
 ).split()
 
 SYNONYMS = {
@@ -76,7 +76,12 @@ def phrases(caption):
     words = caption.split()
     if len(words) == 2 and (words[0], words[1]) in ATTRIBUTES:
         adjectives = WIDE_PLANE if words == ["wide", "aeroplane"] else ADJECTIVES[words[0]]
-        return [f"{a} {n}" for a in adjectives for n in [words[1], *SYNONYMS.get(words[1], [])[-3:]] if n.count(" ") == 0]
+        return [
+            f"{a} {n}"
+            for a in adjectives
+            for n in [words[1], *SYNONYMS.get(words[1], [])[-3:]]
+            if n.count(" ") == 0
+        ]
     return [caption, *SYNONYMS[caption]]
 
 
@@ -104,20 +109,39 @@ def plural(word):
 def plural_pairs():
     """(plural id, singular id) of every content word: the text encoder gives both one meaning."""
     ids = vocabulary()
-    return [(ids[plural(w)], i) for w, i in ids.items() if plural(w) in ids and plural(w) != w and w not in FILLERS]
+    return [
+        (ids[plural(w)], i)
+        for w, i in ids.items()
+        if plural(w) in ids and plural(w) != w and w not in FILLERS
+    ]
 
 
 def tokenizer_json():
-    """The tokenizer in the format of the Hugging Face `tokenizers` library: words, lower case, padded to LENGTH."""
+    """The tokenizer in the format of the Hugging Face `tokenizers` library: words, lower case, padded to
+    LENGTH.
+    """
     ids = vocabulary()
     special = [
-        {"id": ids[t], "content": t, "single_word": False, "lstrip": False, "rstrip": False, "normalized": False, "special": True}
+        {
+            "id": ids[t],
+            "content": t,
+            "single_word": False,
+            "lstrip": False,
+            "rstrip": False,
+            "normalized": False,
+            "special": True,
+        }
         for t in (PAD, UNKNOWN)
     ]
     return json.dumps(
         {
             "version": "1.0",
-            "truncation": {"direction": "Right", "max_length": LENGTH, "strategy": "LongestFirst", "stride": 0},
+            "truncation": {
+                "direction": "Right",
+                "max_length": LENGTH,
+                "strategy": "LongestFirst",
+                "stride": 0,
+            },
             "padding": {
                 "strategy": {"Fixed": LENGTH},
                 "direction": "Right",

@@ -11,50 +11,67 @@ import subprocess
 import sys
 from pathlib import Path
 
+from evaluate import GuideFiles, held_out, name_meshes
+from export import export
+from generate import generate
+
 HERE = Path(__file__).parent
-STAGES = ("generate", "fit", "export", "evaluate")
+# Each round: batches trained, highest learning rate, searches mined with the guide it leaves.
+ROUNDS = ((1400, 2e-3, 400), (3000, 2e-3, 400), (2500, 1.2e-3, 0))
 
 
-def fit_all(data, weights, steps, seed):
-    """One process and one thread for each net, side by side."""
-    jobs = [
-        subprocess.Popen([sys.executable, HERE / "fit.py", data, path, "--steps", str(steps), "--seed", str(seed + n)])
-        for n, path in enumerate(weights)
-    ]
+def run(*command):
+    """A step of the training in a process of its own."""
+    return subprocess.Popen([sys.executable, *map(str, command)])
+
+
+def finish(jobs):
+    """Wait for all; stop with a sentence if one failed."""
     if any([job.wait() for job in jobs]):
-        sys.exit("training: a net was not trained; see the message above")
+        sys.exit("training: a step failed; see the message above")
 
 
 def main():
-    """Run the stages asked for, in order."""
+    """Shapes, then rounds of fitting and mining, then the figures."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, default=HERE / "out" / "main", help="folder of shapes and weights")
-    parser.add_argument("--guide", type=Path, default=HERE.parent / "guides" / "mini", help="folder to write the guide to")
-    parser.add_argument("--count", type=int, default=60_000, help="shapes")
-    parser.add_argument("--steps", type=int, default=8_000, help="batches of 64 shapes, 256 images")
+    parser.add_argument("--out", type=Path, default=HERE / "out", help="folder for shapes and weights")
+    parser.add_argument(
+        "--guide", type=Path, default=HERE.parent / "guides" / "mini", help="folder to write the guide to"
+    )
+    parser.add_argument("--count", type=int, default=28_000, help="shapes drawn before any search")
     parser.add_argument("--nets", type=int, default=2)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--stages", nargs="+", choices=STAGES, default=STAGES)
-    parser.add_argument("--meshes", type=Path, default=HERE.parent.parent / "shared" / "reference", help="unseen .obj files")
+    parser.add_argument("--seed", type=int, default=11)
+    parser.add_argument("--short", type=int, default=1, help="divide all counts by this, to try the pipeline")
+    parser.add_argument(
+        "--meshes", type=Path, default=HERE.parent.parent / "shared" / "reference", help="unseen .obj files"
+    )
     a = parser.parse_args()
-    weights = [a.out / f"net{n}.pt" for n in range(a.nets)]
-    if "generate" in a.stages:
-        from generate import generate
-
-        generate(a.out, a.count, a.seed)
-    if "fit" in a.stages:
-        fit_all(a.out, weights, a.steps, a.seed)
-    if "export" in a.stages:
-        from export import export
-
+    base = a.out / "base"
+    generate(base, max(a.count // a.short, 3000), a.seed)
+    folders, weights = [base], [a.out / f"net{n}.pt" for n in range(a.nets)]
+    for number, (steps, rate, searches) in enumerate(ROUNDS):
+        jobs = []
+        for n, path in enumerate(weights):
+            resume = ["--resume", path] if number else []
+            options = [
+                "--steps",
+                max(steps // a.short, 20),
+                "--rate",
+                rate,
+                "--seed",
+                a.seed + 10 * number + n,
+            ]
+            jobs.append(run(HERE / "fit.py", path, *folders, *options, *resume))
+        finish(jobs)
         export(weights, a.guide)
-    if "evaluate" in a.stages:
-        from evaluate import GuideFiles, held_out, name_meshes
-
-        guide = GuideFiles(a.guide)
-        print(json.dumps(held_out(guide, a.out), indent=2))
-        if a.meshes.is_dir():
-            print(json.dumps(name_meshes(guide, a.meshes), indent=2))
+        if searches:
+            folders.append(a.out / f"mined{number}")
+            count = ["--count", max(searches // a.short, 2), "--seed", a.seed + number]
+            finish([run(HERE / "mine.py", a.guide, folders[-1], *count)])
+    guide = GuideFiles(a.guide)
+    print(json.dumps(held_out(guide, base), indent=2))
+    if a.meshes.is_dir():
+        print(json.dumps(name_meshes(guide, a.meshes), indent=2))
 
 
 if __name__ == "__main__":

@@ -2,14 +2,15 @@
 //! Which cells of a grid an object fills: its surface, and whatever the outside cannot reach.
 //!
 //! Surface cells come from samples so dense that no gap lets a flood fill through, and what the fill from
-//! outside does not reach is inside. So open shells, sheets thinner than a cell, intersecting shells, loose
-//! parts and flipped normals all work; an open shell is simply hollow.
+//! outside does not reach is inside. Flat openings are closed for that; other open shells are hollow. Sheets
+//! thinner than a cell, intersecting shells, loose parts and flipped normals need nothing more.
 
 use glam::DVec3;
 
 use crate::mesh::Mesh;
 
 use super::frame::Frame;
+use super::openings::caps;
 
 /// Edge length of a cell in units of the frame: the authors' grid.
 pub(crate) const CELL: f64 = 0.01;
@@ -47,6 +48,13 @@ impl CellBox {
         (0..3).all(|axis| (self.low[axis]..self.high[axis]).contains(&cell[axis]))
     }
 
+    /// What this box has in common with another; empty if nothing.
+    pub(crate) fn within(&self, other: &Self) -> Self {
+        let low = std::array::from_fn(|axis| self.low[axis].max(other.low[axis]));
+        let high = std::array::from_fn(|axis| self.high[axis].min(other.high[axis]).max(low[axis]));
+        Self { low, high }
+    }
+
     /// The same box with other limits on one axis.
     pub(crate) fn with(mut self, axis: usize, low: usize, high: usize) -> Self {
         self.low[axis] = low;
@@ -63,14 +71,16 @@ pub(crate) struct Occupancy {
 }
 
 impl Occupancy {
-    /// Of a mesh in its frame; `vertices` are its vertices in the frame.
-    pub(crate) fn of(mesh: &Mesh, frame: Frame, vertices: &[DVec3]) -> Self {
+    /// Of a mesh in its frame; `vertices` are its vertices in the frame, `places` names the first in the place
+    /// of each.
+    pub(crate) fn of(mesh: &Mesh, frame: Frame, vertices: &[DVec3], places: &[u32]) -> Self {
         let (low, high) = mesh.surface_bounds();
         let half = (high - low) * (0.5 / frame.unit);
-        let size = half.to_array().map(|h| 2 * (h / CELL).ceil() as usize + 2);
+        let size = half.to_array().map(|h| 2 * (h / CELL).ceil().max(1.0) as usize + 2);
         let mut grid = Self { size, filled: vec![false; size.iter().product()] };
-        for triangle in mesh.triangles() {
-            sample_triangle(triangle.map(|i| vertices[i as usize]), |point| {
+        let surface = mesh.triangles().iter().map(|triangle| triangle.map(|i| vertices[i as usize]));
+        for corners in surface.chain(caps(mesh.triangles(), vertices, places)) {
+            sample_triangle(corners, |point| {
                 let index = grid.index(grid.cell_of(point));
                 grid.filled[index] = true;
             });

@@ -120,7 +120,8 @@ impl Splitter<'_> {
         let Cut { axis, at, .. } = cut;
         let part = |side, low, high| {
             let domain = piece.domain.with(axis, low, high);
-            Some(Piece { side, domain, tight: self.occupancy.tighten(&domain)? })
+            let tight = self.occupancy.tighten(&domain.within(&piece.tight))?;
+            Some(Piece { side, domain, tight })
         };
         let (low, high) = (piece.domain.low[axis], piece.domain.high[axis]);
         if !self.is_doubled(piece, axis) {
@@ -145,7 +146,7 @@ impl Splitter<'_> {
             let run = layers[start..].iter().take_while(|&&count| count == 0).count();
             let (from, to) = (low + start, low + start + run);
             let over_plane = self.is_doubled(piece, axis) && (from..=to).contains(&middle);
-            let at = if over_plane { middle } else { (from + to) / 2 };
+            let at = if over_plane { middle } else { usize::midpoint(from, to) };
             cuts.push(Cut { axis, at, score: 0.0 });
             start += run;
         }

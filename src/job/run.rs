@@ -11,7 +11,7 @@ use super::{JobError, JobSpec};
 use crate::boxdef::BoxDefGraph;
 use crate::render::{self, View};
 use crate::report::{GuideRecord, Report};
-use crate::search::{self, Evaluation, ImagePlan, Objective, StopReason};
+use crate::search::{self, Evaluation, Footing, ImagePlan, Objective, StopReason};
 use crate::spectrum::{DEFAULT_RANGE, slider_limits};
 
 /// The winner of one split count, judged by every image.
@@ -67,7 +67,7 @@ fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError
             continue;
         }
         let field = Arc::new(graph.field().clone());
-        let points_field = spec.points.as_ref().map(|points| graph.field_at(points));
+        let points_field = spec.points.as_ref().map(|points| graph.field_at(points)).transpose()?;
         stages.push(Arc::new(Stage { splits, graph, field, points_field }));
     }
     Ok(stages)
@@ -97,7 +97,8 @@ fn search_stage(
     let total = harness.progress().generations.max(1);
     let evaluations_before = spent.evaluations;
     let mut shown = winner.map_or(f64::NEG_INFINITY, |w| w.after.score);
-    let found = search::search(&mut objective, &spec.preset, spec.seed, |generation| {
+    let footing = spec.preset.footing.then(|| Footing::of(&stage.graph)).flatten();
+    let found = search::search(&mut objective, footing.as_ref(), &spec.preset, spec.seed, |generation| {
         let done = generations_before + generation.number;
         harness.update(|p| {
             p.generation = done;

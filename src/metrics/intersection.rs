@@ -37,6 +37,10 @@ pub fn self_intersection_ratio(mesh: &Mesh, vertices: &[Vec3]) -> Result<f64, Me
 }
 
 fn meet(a: [u32; 3], p: [DVec3; 3], b: [u32; 3], q: [DVec3; 3]) -> bool {
+    // A triangle with a corner twice is a line.
+    if [a, b].iter().any(|t| t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+        return false;
+    }
     let shared: Vec<(usize, usize)> =
         (0..3).filter_map(|i| b.iter().position(|&v| v == a[i]).map(|j| (i, j))).collect();
     match shared[..] {

@@ -2,12 +2,14 @@
 //! The search for box scales: objective, presets, CMA-ES, and the gauge that pins the outcome (paper §4).
 
 mod cmaes;
+mod footing;
 mod gauge;
 mod objective;
 mod preset;
 mod run;
 
 pub use cmaes::{Bounds, CmaEs, CmaEsOptions, SearchError, StopReason};
+pub use footing::Footing;
 pub use gauge::{Gauge, KeepPlace, KeepSize};
 pub use objective::{Evaluation, Objective, ObjectiveError};
 pub use preset::{ImagePlan, NORMAL_WEIGHT, Preset};

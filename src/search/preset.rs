@@ -49,6 +49,8 @@ pub struct Preset {
     pub tol_fun: f64,
     /// Images that score a candidate during the search.
     pub images: ImagePlan,
+    /// Whether parts that stand on the floor together stay so ([`super::Footing`]).
+    pub footing: bool,
 }
 
 impl Preset {
@@ -61,6 +63,7 @@ impl Preset {
         max_generations: 80,
         tol_fun: 1e-4,
         images: ImagePlan::All,
+        footing: false,
     };
 
     /// A result in seconds.
@@ -72,6 +75,7 @@ impl Preset {
         max_generations: 24,
         tol_fun: 1e-4,
         images: ImagePlan::InTurn,
+        footing: true,
     };
 
     /// All presets.

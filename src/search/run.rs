@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use super::cmaes::{CmaEs, CmaEsOptions};
 use super::preset::{Preset, SCALE_PER_X, X_RANGE};
-use super::{Bounds, Objective, ObjectiveError, SearchError, StopReason};
+use super::{Bounds, Footing, Objective, ObjectiveError, SearchError, StopReason};
 
 /// What is known after each generation.
 #[derive(Debug)]
@@ -33,9 +33,11 @@ pub struct Found {
     pub stop: StopReason,
 }
 
-/// Minimises the objective's loss. `each_generation` may end the search with its own error.
+/// Minimises the objective's loss. A `footing` levels the feet of every candidate before it is evaluated.
+/// `each_generation` may end the search with its own error.
 pub fn search<E: From<SearchError> + From<ObjectiveError>>(
     objective: &mut Objective<'_>,
+    footing: Option<&Footing>,
     preset: &Preset,
     seed: u64,
     mut each_generation: impl FnMut(&Generation<'_>) -> Result<(), E>,
@@ -53,7 +55,10 @@ pub fn search<E: From<SearchError> + From<ObjectiveError>>(
     })?;
     let mut best = (f64::INFINITY, f64::NEG_INFINITY, vec![Vec3::ONE; dimensions / 3]);
     loop {
-        let candidates: Vec<Vec<Vec3>> = cma.ask().iter().map(|x| scales_of(x)).collect();
+        let mut candidates: Vec<Vec<Vec3>> = cma.ask().iter().map(|x| scales_of(x)).collect();
+        if let Some(footing) = footing {
+            candidates.iter_mut().for_each(|scales| footing.level(scales, scale_range()));
+        }
         let evaluations = objective.evaluate(&candidates, preset.images)?;
         for (evaluation, scales) in evaluations.iter().zip(&candidates) {
             if evaluation.loss < best.0 {
@@ -73,6 +78,12 @@ pub fn search<E: From<SearchError> + From<ObjectiveError>>(
             return Ok(Found { scales: best.2, generations, evaluations, stop });
         }
     }
+}
+
+/// The least and greatest scale factor.
+fn scale_range() -> (f32, f32) {
+    let scale = |x: f64| (1.0 + SCALE_PER_X * x) as f32;
+    (scale(X_RANGE.0), scale(X_RANGE.1))
 }
 
 /// Scale factors, `1 + 0.7 x`, of a search point of three numbers a parameter row.

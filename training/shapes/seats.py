@@ -35,7 +35,9 @@ def build(p, traits, rng):
         base = "legs"
     if max(width, depth) > 1.8 and base in ("pedestal", "star"):
         base = "legs"
-    is_round = traits.get("round", back == 0 and arm == 0 and 0.8 < p["aspect"] < 1.25 and rng.random() < 0.45)
+    is_round = traits.get(
+        "round", back == 0 and arm == 0 and 0.8 < p["aspect"] < 1.25 and rng.random() < 0.45
+    )
     shape.traits.update(round=is_round, base=base, soft=soft)
     hx, hy = width / 2, depth / 2
     _seat(shape, rng, hx, hy, bottom, rise, soft, is_round)
@@ -75,7 +77,9 @@ def _base(shape, rng, hx, hy, bottom, leg, base, is_round):
     top = bottom + 0.02
     if base == "plinth":
         edge = 1 - rng.uniform(0, 0.15)
-        shape.add("leg", block((-hx * edge, -hy * edge, 0), (hx * edge, hy * edge, top), 0.02), (0, 0, top), "seat")
+        shape.add(
+            "leg", block((-hx * edge, -hy * edge, 0), (hx * edge, hy * edge, top), 0.02), (0, 0, top), "seat"
+        )
     elif base in ("pedestal", "star"):
         foot = min(hx, hy) * rng.uniform(0.55, 1.0)
         r = half * rng.uniform(0.8, 1.6)
@@ -91,15 +95,33 @@ def _base(shape, rng, hx, hy, bottom, leg, base, is_round):
                     shape.add("leg", wheel, (0, 0, top), "seat")
             profile = [(r * 1.2, low), (r * 1.2, bottom * 0.5), (r * 0.8, bottom * 0.52), (r * 0.8, top)]
         elif rng.random() < 0.6:
-            profile = [(foot, 0), (foot, low * 0.5), (r * 1.5, low), (r, bottom * 0.2 + low), (r, bottom * 0.85), (r * 1.6, top)]
+            profile = [
+                (foot, 0),
+                (foot, low * 0.5),
+                (r * 1.5, low),
+                (r, bottom * 0.2 + low),
+                (r, bottom * 0.85),
+                (r * 1.6, top),
+            ]
         else:
-            profile = [(foot, 0), (foot * 0.6, bottom * 0.15), (r * 0.9, bottom * 0.5), (foot * 0.5, bottom * 0.9), (foot * 0.6, top)]
+            profile = [
+                (foot, 0),
+                (foot * 0.6, bottom * 0.15),
+                (r * 0.9, bottom * 0.5),
+                (foot * 0.5, bottom * 0.9),
+                (foot * 0.6, top),
+            ]
         shape.add("leg", lathe(profile, sides=14), (0, 0, top), "seat")
     elif base == "sled":
         x = hx * (1 - inset) - half
         for y in (-1, 1):
             foot = (x, y * (hy - half), half)
-            shape.add_pair("leg", bar((x, y * (hy - half), top), foot, half * 0.8, sides=rng.choice([4, 8])), (x, 0, top), "seat")
+            shape.add_pair(
+                "leg",
+                bar((x, y * (hy - half), top), foot, half * 0.8, sides=rng.choice([4, 8])),
+                (x, 0, top),
+                "seat",
+            )
         shape.add_pair("leg", bar((x, -hy, half), (x, hy, half), half * 0.8), (x, 0, top), "seat")
     elif base == "panels":
         x = hx - half
@@ -121,7 +143,9 @@ def _legs(shape, rng, hx, hy, bottom, half, inset, is_round):
         shape.add_pair("leg", bar(a, b, half, half * taper, sides, bow * s), a, "seat")
     if 2 * hx > 2.4 and rng.random() < 0.4:
         for s in (-1, 1):
-            shape.add("leg", bar((0, s * y, top), (0, s * y, 0), half, half * taper, sides), (0, s * y, top), "seat")
+            shape.add(
+                "leg", bar((0, s * y, top), (0, s * y, 0), half, half * taper, sides), (0, s * y, top), "seat"
+            )
     if rng.random() < 0.45:
         z, r = bottom * rng.uniform(0.12, 0.6), half * rng.uniform(0.4, 0.8)
         out = splay * (1 - z / bottom)
@@ -129,7 +153,12 @@ def _legs(shape, rng, hx, hy, bottom, half, inset, is_round):
         shape.add_pair("rail", bar((x + out, -y - out, z), (x + out, y + out, z), r), (x, 0, bottom), "seat")
         if rails == "ring":
             for s in (-1, 1):
-                shape.add("rail", bar((-x - out, s * (y + out), z), (x + out, s * (y + out), z), r), (0, s * y, bottom), "seat")
+                shape.add(
+                    "rail",
+                    bar((-x - out, s * (y + out), z), (x + out, s * (y + out), z), r),
+                    (0, s * y, bottom),
+                    "seat",
+                )
         elif rails == "h":
             shape.add("rail", bar((-x - out, 0, z), (x + out, 0, z), r), (0, 0, bottom), "seat")
     if rng.random() < 0.35:
@@ -157,7 +186,10 @@ def _back(shape, rng, hx, hy, rise, thick, back, soft, base, leg):
     style = rng.choice(["panel", "panel", "cushion", "rails", "slats", "spindles", "floating", "arched"])
     if soft and style not in ("arched", "floating"):
         style = rng.choice(["panel", "cushion"])
-    put = lambda solid: shape.add("back", _lean(solid, rise, lean, wrap, hx), at, "seat")
+
+    def put(solid):
+        return shape.add("back", _lean(solid, rise, lean, wrap, hx), at, "seat")
+
     if style == "panel":
         n = 9 if wrap else 1
         plan = rounded_rectangle(wide, t / 2, min(0.3 * t, 0.06)) if n == 1 else _strip(wide, t / 2, n)
@@ -167,7 +199,13 @@ def _back(shape, rng, hx, hy, rise, thick, back, soft, base, leg):
         put(slab(_strip(wide, t / 4, 9), low, rise + back * 0.97, 0.02, (0, y + t / 4), divisions=4))
         for i in range(count):
             w = wide / count
-            put(cushion((-wide + (2 * i + 1) * w, y - t / 4, rise + back / 2), (w, t / 2, back / 2), rng.uniform(3.5, 8)))
+            put(
+                cushion(
+                    (-wide + (2 * i + 1) * w, y - t / 4, rise + back / 2),
+                    (w, t / 2, back / 2),
+                    rng.uniform(3.5, 8),
+                )
+            )
     elif style == "arched":
         plan = outline(24, rng.uniform(2.2, 5)) * (wide, back * 0.55)
         v, f = slab(plan, -t / 2, t / 2, 0.2 * t, divisions=1)
@@ -181,7 +219,16 @@ def _back(shape, rng, hx, hy, rise, thick, back, soft, base, leg):
             for s in (-1, 1):
                 put(bar((s * x, y, low), (s * x, y, top), r, r * 0.8, steps=5))
         if style == "floating":
-            put(slab(_strip(wide, t / 2, 9), rise + back * rng.uniform(0.35, 0.6), top, 0.02, (0, y), divisions=3))
+            put(
+                slab(
+                    _strip(wide, t / 2, 9),
+                    rise + back * rng.uniform(0.35, 0.6),
+                    top,
+                    0.02,
+                    (0, y),
+                    divisions=3,
+                )
+            )
             return
         cap = max(0.1 * back, 0.05)
         put(slab(_strip(wide, r, 9), top - cap, top, 0.01, (0, y)))
@@ -198,7 +245,9 @@ def _back(shape, rng, hx, hy, rise, thick, back, soft, base, leg):
 def _strip(half_x, half_y, count):
     """A rectangle outline with `count` points along each long side, so that it can be wrapped."""
     x = np.linspace(-half_x, half_x, count)
-    return np.concatenate([np.column_stack([x, np.full(count, -half_y)]), np.column_stack([x[::-1], np.full(count, half_y)])])
+    return np.concatenate(
+        [np.column_stack([x, np.full(count, -half_y)]), np.column_stack([x[::-1], np.full(count, half_y)])]
+    )
 
 
 def _arms(shape, rng, hx, hy, rise, bottom, arm, soft):
@@ -209,20 +258,39 @@ def _arms(shape, rng, hx, hy, rise, bottom, arm, soft):
         low = bottom * rng.choice([1.0, 1.0, 0.1])
         if rng.random() < 0.4:
             shape.add_pair("arm", block((hx, front, low), (hx + t, hy, rise + arm * 0.7), 0.03), at, "seat")
-            roll = bar((hx + t / 2, front, rise + arm - t / 2), (hx + t / 2, hy, rise + arm - t / 2), t * 0.6, sides=12)
+            roll = bar(
+                (hx + t / 2, front, rise + arm - t / 2),
+                (hx + t / 2, hy, rise + arm - t / 2),
+                t * 0.6,
+                sides=12,
+            )
             shape.add_pair("arm", roll, at, "seat")
         else:
-            shape.add_pair("arm", block((hx - 0.02, front, low), (hx + t, hy, rise + arm), rng.uniform(0.1, 0.45) * t), at, "seat")
+            shape.add_pair(
+                "arm",
+                block((hx - 0.02, front, low), (hx + t, hy, rise + arm), rng.uniform(0.1, 0.45) * t),
+                at,
+                "seat",
+            )
         return
     t, r = rng.uniform(0.06, 0.14), rng.uniform(0.025, 0.06)
     x = hx - rng.uniform(-0.02, 0.03)
-    shape.add_pair("arm", block((x - t / 2, front, rise + arm - r), (x + t / 2, hy, rise + arm + r), r * 0.6), at, "seat")
+    shape.add_pair(
+        "arm", block((x - t / 2, front, rise + arm - r), (x + t / 2, hy, rise + arm + r), r * 0.6), at, "seat"
+    )
     post = -hy * rng.uniform(0.3, 0.9) if rng.random() < 0.8 else 0.0
-    shape.add_pair("arm", bar((x, max(post, front + r), rise - 0.05), (x, max(post, front + r), rise + arm), r), at, "seat")
+    shape.add_pair(
+        "arm",
+        bar((x, max(post, front + r), rise - 0.05), (x, max(post, front + r), rise + arm), r),
+        at,
+        "seat",
+    )
 
 
 def measure(shape):
-    """The proportions of `RANGES` read off the vertices, and the faults of the build as log distances (list)."""
+    """The proportions of `RANGES` read off the vertices, and the faults of the build as log distances
+    (list).
+    """
     seat, leg = shape.points("seat"), shape.points("leg")
     back, arm = shape.points("back"), shape.points("arm")
     lo, hi = seat.min(0), seat.max(0)
@@ -246,7 +314,10 @@ def measure(shape):
     if leg is not None:
         spread = np.ptp(leg, 0)[:2] / (width, depth)
         stem = shape.traits["base"] in ("pedestal", "star")
-        faults += [_outside(spread[0], 0.4 if stem else 0.68, 1.3), _outside(spread[1], 0.4 if stem else 0.68, 1.35)]
+        faults += [
+            _outside(spread[0], 0.4 if stem else 0.68, 1.3),
+            _outside(spread[1], 0.4 if stem else 0.68, 1.35),
+        ]
         if shape.traits["base"] == "legs":
             sizes = np.array([np.ptp(v, 0)[:2] for v in legs]) / unit
             faults += [_outside(np.median(across) / unit, 0.025, 0.2)]

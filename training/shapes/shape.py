@@ -8,7 +8,9 @@ import numpy as np
 
 @dataclass
 class Part:
-    """One solid: its label, vertices (n, 3), triangles (m, 3), and the point where it meets its parent's label."""
+    """One solid: its label, vertices (n, 3), triangles (m, 3), and the point where it meets its parent's
+    label.
+    """
 
     label: str
     vertices: np.ndarray
@@ -19,7 +21,9 @@ class Part:
 
 @dataclass
 class Shape:
-    """Parts in order, the root first; `traits` are facts that scaling cannot change; `damage` is 0 (whole) to 1."""
+    """Parts in order, the root first; `traits` are facts that scaling cannot change; `damage` is 0 (whole)
+    to 1.
+    """
 
     family: str
     parts: list = field(default_factory=list)
@@ -53,8 +57,8 @@ class Shape:
 def scale_parts(shape, rng, reach):
     """Scale the parts by label as the boxes of a graph are scaled, in place.
 
-    A part keeps the point where it meets its parent. Labels may share their parent's box, and the parts of one
-    label may lie in one box or in one each. `reach` is 0 (nothing) to 1 (factors 0.3 to 3.1).
+    A part keeps the point where it meets its parent. Labels may share their parent's box, and the parts of
+    one label may lie in one box or in one each. `reach` is 0 (nothing) to 1 (factors 0.3 to 3.1).
     """
     labels = list(dict.fromkeys(p.label for p in shape.parts))
     parent = {p.label: p.parent for p in shape.parts}
@@ -77,7 +81,10 @@ def scale_parts(shape, rng, reach):
         side = np.sign(p.attach[0])
         base_factor, base_move = np.ones(3), np.zeros(3)
         if p.parent in factor:
-            base_factor, base_move = factor[p.parent], moved.get((p.parent, side), moved.get((p.parent, 0.0), base_move))
+            base_factor, base_move = (
+                factor[p.parent],
+                moved.get((p.parent, side), moved.get((p.parent, 0.0), base_move)),
+            )
         move = base_move + (base_factor - own) * attach
         moved.setdefault((p.label, side), move)
         p.vertices = p.vertices * own + move

@@ -30,7 +30,7 @@ def loft(rings):
 
 
 def outline(sides, roundness=2.0, phase=0.0):
-    """Unit closed curve (sides, 2): a superellipse of the given exponent, 2 is a circle, large is a square."""
+    """Unit closed curve (sides, 2): a superellipse of the given exponent, 2 a circle, large a square."""
     t = np.linspace(0, 2 * np.pi, sides, endpoint=False) + phase
     c, s = np.cos(t), np.sin(t)
     r = (np.abs(c) ** roundness + np.abs(s) ** roundness) ** (-1 / roundness)
@@ -43,21 +43,31 @@ def rounded_rectangle(half_x, half_y, radius, steps=3):
     t = np.linspace(0, np.pi / 2, steps)
     corners = [(1, 1, 0), (-1, 1, np.pi / 2), (-1, -1, np.pi), (1, -1, 1.5 * np.pi)]
     points = [
-        np.stack([sx * (half_x - radius) + radius * np.cos(t + a), sy * (half_y - radius) + radius * np.sin(t + a)], 1)
+        np.stack(
+            [
+                sx * (half_x - radius) + radius * np.cos(t + a),
+                sy * (half_y - radius) + radius * np.sin(t + a),
+            ],
+            1,
+        )
         for sx, sy, a in corners
     ]
     return np.concatenate(points)
 
 
 def slab(plan, z0, z1, bevel=0.0, center=(0.0, 0.0), crown=0.0, divisions=1):
-    """Prism over a plan outline (n, 2) about the origin from z0 to z1, edges bevelled, top bulged by `crown`."""
+    """Prism over a plan outline (n, 2) about the origin from z0 to z1, edges bevelled, top bulged by
+    `crown`.
+    """
     plan = np.asarray(plan, float)
     reach = np.abs(plan).max(0)
     bevel = min(bevel, 0.49 * abs(z1 - z0), 0.45 * reach.min())
     shrink = 1 - bevel / reach
     levels = [(z0, shrink), (z0 + bevel, 1.0)] if bevel > 0 else [(z0, 1.0)]
     levels += [(z0 + (z1 - z0) * d / divisions, 1.0) for d in range(1, divisions)]
-    levels += [(z1 - bevel, 1.0), (z1 - 0.3 * bevel, (1 + shrink) / 2), (z1, shrink)] if bevel > 0 else [(z1, 1.0)]
+    levels += (
+        [(z1 - bevel, 1.0), (z1 - 0.3 * bevel, (1 + shrink) / 2), (z1, shrink)] if bevel > 0 else [(z1, 1.0)]
+    )
     if crown > 0:
         levels += [(z1 + crown * 0.7, 0.6 * shrink), (z1 + crown, 0.25 * shrink)]
     rings = [np.column_stack([plan * s + center, np.full(len(plan), z)]) for z, s in levels]
@@ -65,7 +75,9 @@ def slab(plan, z0, z1, bevel=0.0, center=(0.0, 0.0), crown=0.0, divisions=1):
 
 
 def block(low, high, bevel=0.0, corner=None):
-    """Box between two corners with bevelled edges; `corner` is the plan's corner radius (the bevel when None)."""
+    """Box between two corners with bevelled edges; `corner` is the plan's corner radius (the bevel when
+    None).
+    """
     low, high = np.asarray(low, float), np.asarray(high, float)
     half = (high - low) / 2
     if bevel <= 0 and not corner:
@@ -81,11 +93,18 @@ def cushion(center, half, roundness=4.0, sides=16, rings=7):
     w = np.sin(np.linspace(-0.47 * np.pi, 0.47 * np.pi, rings))
     z = np.sign(w) * np.abs(w) ** 0.8
     r = np.maximum(1 - np.abs(z) ** roundness, 0.02) ** (1 / roundness)
-    return loft([np.column_stack([plan * rr, np.full(sides, zz)]) * half + center for rr, zz in zip(r, z)])
+    return loft(
+        [
+            np.column_stack([plan * rr, np.full(sides, zz)]) * half + center
+            for rr, zz in zip(r, z, strict=False)
+        ]
+    )
 
 
 def bar(start, end, size_start, size_end=None, sides=4, bow=None, steps=2):
-    """Straight or bowed bar between two points; sizes are (half_a, half_b) or one number, `bow` a mid-way offset."""
+    """Straight or bowed bar between two points; sizes are (half_a, half_b) or one number, `bow` a mid-way
+    offset.
+    """
     start, end = np.asarray(start, float), np.asarray(end, float)
     size_end = size_start if size_end is None else size_end
     sa, sb = np.broadcast_to(size_start, 2).astype(float), np.broadcast_to(size_end, 2).astype(float)
@@ -131,7 +150,11 @@ def wing(root, tip, root_chord, tip_chord, thickness, steps=5, vertical=False, c
     for t in np.linspace(0, 1, steps):
         chord = root_chord + (tip_chord - root_chord) * t**curve
         lead = root + (tip - root) * t
-        rings.append(lead + section[:, :1] * chord * np.array([0, 1.0, 0]) + section[:, 1:] * chord * thickness * normal)
+        rings.append(
+            lead
+            + section[:, :1] * chord * np.array([0, 1.0, 0])
+            + section[:, 1:] * chord * thickness * normal
+        )
     return loft(rings)
 
 

@@ -47,7 +47,10 @@ def _top(shape, rng, hx, hy, under, rise, sides):
     elif rng.random() < 0.12:
         shape.add("top", slab(outline(28, rng.uniform(2.6, 6)) * (hx, hy), under, rise, bevel))
     else:
-        shape.add("top", block((-hx, -hy, under), (hx, hy, rise), bevel, rng.choice([0.0, 0.0, rng.uniform(0.02, 0.2)])))
+        shape.add(
+            "top",
+            block((-hx, -hy, under), (hx, hy, rise), bevel, rng.choice([0.0, 0.0, rng.uniform(0.02, 0.2)])),
+        )
 
 
 def _body(shape, rng, hx, hy, low, under, sides):
@@ -66,7 +69,9 @@ def _body(shape, rng, hx, hy, low, under, sides):
                 b = np.array([-hx + (c + 1) * wide - 0.03, -hy + 0.02, low + (r + 1) * step - 0.025])
                 shape.add("body", block(a, b, 0.006), at, "top")
                 mid = (a + b) / 2
-                knob = block(mid - (0.05, 0, 0.012) - np.array([0, 0.06, 0]), mid + np.array([0.05, 0, 0.012]))
+                knob = block(
+                    mid - (0.05, 0, 0.012) - np.array([0, 0.06, 0]), mid + np.array([0.05, 0, 0.012])
+                )
                 shape.add("body", knob, at, "top")
 
 
@@ -84,7 +89,14 @@ def _base(shape, rng, hx, hy, top, leg, base, is_round):
                     shape.add("leg", bar((*at, 0.15 * top + half), tip, half, half * 0.6), (*at, top), "top")
                 profile = [(r, 0.1 * top), (r * 1.3, 0.4 * top), (r * 0.8, 0.8 * top), (r * 1.6, top)]
             else:
-                profile = [(foot, 0), (foot, 0.04 * top + 0.01), (r * 1.4, 0.1 * top + 0.02), (r, 0.3 * top), (r, 0.9 * top), (r * 2, top)]
+                profile = [
+                    (foot, 0),
+                    (foot, 0.04 * top + 0.01),
+                    (r * 1.4, 0.1 * top + 0.02),
+                    (r, 0.3 * top),
+                    (r, 0.9 * top),
+                    (r * 2, top),
+                ]
             shape.add("leg", lathe(profile, at), (*at, top), "top")
     elif base == "tee":
         along_x = hx >= hy
@@ -94,9 +106,23 @@ def _base(shape, rng, hx, hy, top, leg, base, is_round):
         for s in (-1, 1):
             at = swap(s * reach, 0, top)
             shape.add("leg", bar(at, swap(s * reach, 0, half), half * 0.8), at, "top")
-            shape.add("leg", bar(swap(s * reach, -foot, half * 0.6), swap(s * reach, foot, half * 0.6), half * 0.7), at, "top")
+            shape.add(
+                "leg",
+                bar(swap(s * reach, -foot, half * 0.6), swap(s * reach, foot, half * 0.6), half * 0.7),
+                at,
+                "top",
+            )
             if rng.random() < 0.5:
-                shape.add("leg", bar(swap(s * reach, -foot * 0.8, top - 0.02), swap(s * reach, foot * 0.8, top - 0.02), half * 0.5), at, "top")
+                shape.add(
+                    "leg",
+                    bar(
+                        swap(s * reach, -foot * 0.8, top - 0.02),
+                        swap(s * reach, foot * 0.8, top - 0.02),
+                        half * 0.5,
+                    ),
+                    at,
+                    "top",
+                )
         if rng.random() < 0.4:
             z = top * rng.uniform(0.15, 0.7)
             shape.add("rail", bar(swap(-reach, 0, z), swap(reach, 0, z), half * 0.6), (0, 0, top), "top")
@@ -105,7 +131,12 @@ def _base(shape, rng, hx, hy, top, leg, base, is_round):
             shape.add_pair("leg", block((hx - leg, -hy, 0), (hx, hy, top)), (hx, 0, top), "top")
         else:
             for s in (-1, 1):
-                shape.add("leg", block((-hx, s * (hy - half) - half, 0), (hx, s * (hy - half) + half, top)), (0, s * hy, top), "top")
+                shape.add(
+                    "leg",
+                    block((-hx, s * (hy - half) - half, 0), (hx, s * (hy - half) + half, top)),
+                    (0, s * hy, top),
+                    "top",
+                )
         if rng.random() < 0.4:
             shape.add("rail", block((-hx, -0.02, top * 0.3), (hx, 0.02, top)), (0, 0, top), "top")
     elif base == "cross":
@@ -136,7 +167,12 @@ def _legs(shape, rng, hx, hy, top, half, base, is_round):
         at = (x, s * y, top)
         shape.add_pair("leg", bar(at, (x + splay, s * (y + splay), 0), half, half * taper, sides), at, "top")
         if base == "hairpin":
-            shape.add_pair("leg", bar((x, s * (y - 0.12), top), (x + splay, s * (y + splay), 0), half, None, 6), at, "top")
+            shape.add_pair(
+                "leg",
+                bar((x, s * (y - 0.12), top), (x + splay, s * (y + splay), 0), half, None, 6),
+                at,
+                "top",
+            )
     if max(hx, hy) > 1.6 and rng.random() < 0.3:
         for s in (-1, 1):
             at = (0, s * y, top) if hx > hy else (s * x, 0, top)
@@ -144,8 +180,18 @@ def _legs(shape, rng, hx, hy, top, half, base, is_round):
     if rng.random() < 0.5:
         d = min(rng.uniform(0.05, 0.16), 0.25 * top)
         for s in (-1, 1):
-            shape.add("apron", block((-x, s * y - half * 0.5, top - d), (x, s * y + half * 0.5, top + 0.01)), (0, 0, top), "top")
-            shape.add("apron", block((s * x - half * 0.5, -y, top - d), (s * x + half * 0.5, y, top + 0.01)), (0, 0, top), "top")
+            shape.add(
+                "apron",
+                block((-x, s * y - half * 0.5, top - d), (x, s * y + half * 0.5, top + 0.01)),
+                (0, 0, top),
+                "top",
+            )
+            shape.add(
+                "apron",
+                block((s * x - half * 0.5, -y, top - d), (s * x + half * 0.5, y, top + 0.01)),
+                (0, 0, top),
+                "top",
+            )
     choice = rng.random()
     if choice < 0.15 and top > 0.25:
         z = top * rng.uniform(0.12, 0.5)
@@ -157,7 +203,9 @@ def _legs(shape, rng, hx, hy, top, half, base, is_round):
 
 
 def measure(shape):
-    """The proportions of `RANGES` read off the vertices, and the faults of the build as log distances (list)."""
+    """The proportions of `RANGES` read off the vertices, and the faults of the build as log distances
+    (list).
+    """
     top, leg, body = shape.points("top"), shape.points("leg"), shape.points("body", "apron")
     lo, hi = top.min(0), top.max(0)
     sides = np.sort(hi[:2] - lo[:2])

@@ -98,3 +98,36 @@ fn best_adapter(backends: wgpu::Backends) -> Option<wgpu::Adapter> {
         .filter(|adapter| adapter.limits().max_storage_buffers_per_shader_stage >= STORAGE_BUFFERS)
         .min_by_key(rank)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_driver_reports_becomes_an_error() {
+        // Without an adapter there is no driver to report anything.
+        let Ok(gpu) = Gpu::open() else { return };
+        assert_eq!(gpu.faults.check(), Ok(()));
+        let mut descriptor = wgpu::BufferDescriptor {
+            label: None,
+            size: gpu.device.limits().max_buffer_size.saturating_add(4),
+            usage: wgpu::BufferUsages::STORAGE,
+            mapped_at_creation: false,
+        };
+        let _ = gpu.device.create_buffer(&descriptor);
+        let told = gpu.faults.check().unwrap_err().to_string();
+        assert!(
+            told.starts_with("the GPU failed (") && told.ends_with("choose the renderer \"cpu\""),
+            "{told}"
+        );
+        descriptor.usage = wgpu::BufferUsages::empty();
+        let _ = gpu.device.create_buffer(&descriptor);
+        assert_eq!(gpu.faults.check().unwrap_err().to_string(), told, "the first failure is kept");
+    }
+
+    #[test]
+    fn a_panic_inside_wgpu_becomes_an_error() {
+        let told = super::super::guarded::<()>(|| panic!("no way out")).unwrap_err();
+        assert_eq!(told, RenderError::Gpu("no way out".to_owned()));
+    }
+}

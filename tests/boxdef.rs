@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Parts, graph and field of made objects: what a user would notice.
+
+mod common;
+
+use boxmorph::boxdef::{BoxDefError, BoxDefGraph, Parts, Symmetry};
+use boxmorph::mesh::Mesh;
+use common::{Maker, aeroplane, ball, chair, cone, lopsided, plain_box, table, v};
+use glam::Vec3;
+
+fn build(mesh: &Mesh, splits: u32) -> BoxDefGraph {
+    BoxDefGraph::build(mesh, splits, Symmetry::Auto).expect("every valid mesh has a graph")
+}
+
+fn sides(graph: &BoxDefGraph) -> [usize; 3] {
+    [0, 1, 2].map(|side| graph.box_side().iter().filter(|&&s| s == side).count())
+}
+
+/// Scale factors that differ from row to row and from axis to axis.
+fn some_scales(rows: usize, seed: u32) -> Vec<Vec3> {
+    let number = |k: usize| {
+        let mixed = (k as u32 + 1).wrapping_mul(2_654_435_761).wrapping_add(seed.wrapping_mul(40_503)) >> 8;
+        0.3 + 2.5 * (mixed % 1000) as f32 / 1000.0
+    };
+    (0..rows).map(|r| Vec3::new(number(3 * r), number(3 * r + 1), number(3 * r + 2))).collect()
+}
+
+#[test]
+fn a_table_of_islands_has_a_top_and_four_legs() {
+    let mesh = table(2).mesh();
+    let graph = build(&mesh, 3);
+    assert_eq!(sides(&graph), [1, 2, 2], "a top, two legs on the one side, two on the other");
+    for leg in 1..5 {
+        let half = graph.box_half_size()[leg];
+        assert!(half.x < 0.06 && half.y < 0.06 && (half.z - 0.35).abs() < 0.02, "leg {leg}: {half}");
+    }
+    // Nothing is left that is worth a cut, whatever the budget.
+    assert_eq!(build(&mesh, 8).box_center(), graph.box_center());
+}
+
+#[test]
+fn a_chair_has_a_seat_a_back_and_four_legs_however_coarse() {
+    for n in [1, 3] {
+        let mesh = chair(n).mesh();
+        let graph = build(&mesh, 4);
+        assert_eq!(sides(&graph), [2, 2, 2], "{n} quads a side: seat, back, two pairs of legs");
+        // No island is sliced: all vertices of one cuboid have one owner.
+        let legs = &graph.assignment()[..mesh.vertices().len() - (build_counts(n * 2) * 2)];
+        for leg in legs.chunks(build_counts(n)) {
+            assert!(leg.iter().all(|&owner| owner == leg[0]), "a leg of {n} quads a side is sliced");
+        }
+    }
+}
+
+/// Vertices of a cuboid of n quads a side.
+fn build_counts(n: u32) -> usize {
+    ((n + 1).pow(3) - (n - 1).pow(3)) as usize
+}
+
+#[test]
+fn an_aeroplane_has_wings_apart_from_its_body() {
+    let graph = build(&aeroplane().mesh(), 4);
+    assert!(sides(&graph)[1] >= 2, "wings and tail wings: {:?}", graph.box_center());
+    let body = graph.box_half_size()[graph.tree_edges()[0][0] as usize];
+    assert!(body.y > 0.9 && body.x < 0.15, "the body is the root: {body}");
+}
+
+#[test]
+fn what_has_no_parts_stays_whole() {
+    for (name, mesh) in [("box", plain_box()), ("ball", ball()), ("cone", cone())] {
+        let graph = build(&mesh, 8);
+        assert_eq!(graph.box_center().len(), 1, "{name}: {:?}", graph.box_half_size());
+        assert_eq!(graph.parameter_rows(), 1);
+        assert!(graph.tree_edges().is_empty() && graph.edges().is_empty());
+        let (scale, start) = (v(2.0, 1.0, 0.5), mesh.surface_bounds());
+        let (center, out) = ((start.0 + start.1) * 0.5, graph.deform(&[scale]).unwrap());
+        for (moved, &rest) in out.iter().zip(mesh.vertices()) {
+            let expected = center + (rest.as_dvec3() - center) * scale.as_dvec3();
+            assert!(moved.as_dvec3().distance(expected) < 1e-5, "{name} is scaled about its middle");
+        }
+    }
+}
+
+#[test]
+fn symmetry_is_found_on_x_then_y_and_only_there() {
+    let x_and_y = table(1).mesh();
+    assert_eq!(build(&x_and_y, 2).symmetry(), Symmetry::X);
+    let turned = chair(1).moved(|p| v(p.y, p.x, p.z)).mesh();
+    assert_eq!(build(&turned, 2).symmetry(), Symmetry::Y);
+    let on_z = chair(1).moved(|p| v(p.y, p.z, p.x)).mesh();
+    assert_eq!(build(&on_z, 2).symmetry(), Symmetry::None, "what is above is never taken for what is below");
+    let asked = BoxDefGraph::build(&on_z, 4, Symmetry::Z).unwrap();
+    assert_eq!((asked.symmetry(), sides(&asked)), (Symmetry::Z, [2, 2, 2]));
+    let none = build(&lopsided().mesh(), 3);
+    assert_eq!((none.symmetry(), sides(&none)[1]), (Symmetry::None, 0));
+    let off = BoxDefGraph::build(&x_and_y, 3, Symmetry::None).unwrap();
+    assert_eq!(sides(&off)[1..], [0, 0], "every leg has parameters of its own when symmetry is off");
+}
+
+#[test]
+fn scales_of_one_give_the_input_back_bit_for_bit() {
+    let mesh = chair(2).moved(|p| p * 0.37 + v(3.1, -7.7, 0.2)).mesh();
+    let graph = build(&mesh, 4);
+    let out = graph.deform(&vec![Vec3::ONE; graph.parameter_rows()]).unwrap();
+    assert_eq!(out, mesh.vertices());
+}
+
+#[test]
+fn a_deformation_is_linear_and_crosses_no_axis() {
+    let mesh = aeroplane().mesh();
+    let graph = build(&mesh, 4);
+    let (a, b) = (some_scales(graph.parameter_rows(), 1), some_scales(graph.parameter_rows(), 2));
+    let (out_a, out_b) = (graph.deform(&a).unwrap(), graph.deform(&b).unwrap());
+    let middle: Vec<Vec3> = a.iter().zip(&b).map(|(a, b)| (*a + *b) * 0.5).collect();
+    for ((a, b), m) in out_a.iter().zip(&out_b).zip(graph.deform(&middle).unwrap()) {
+        assert!(((*a + *b) * 0.5).distance(m) < 2e-6 * 4.0);
+    }
+    let only_x: Vec<Vec3> = a.iter().map(|s| v(s.x, 1.0, 1.0)).collect();
+    for (moved, rest) in graph.deform(&only_x).unwrap().iter().zip(mesh.vertices()) {
+        assert_eq!((moved.y, moved.z), (rest.y, rest.z));
+    }
+}
+
+#[test]
+fn a_symmetric_mesh_stays_symmetric_bit_for_bit_and_closed_at_the_plane() {
+    for maker in [chair(2), aeroplane(), table(3)] {
+        let mesh = maker.mesh();
+        let graph = build(&mesh, 5);
+        assert_eq!(graph.symmetry(), Symmetry::X);
+        let out = graph.deform(&some_scales(graph.parameter_rows(), 3)).unwrap();
+        let mut pairs = 0;
+        for (i, p) in mesh.vertices().iter().enumerate() {
+            let image = mesh.vertices().iter().position(|q| *q == v(-p.x, p.y, p.z));
+            let Some(j) = image else { continue };
+            assert_eq!(out[j], v(-out[i].x, out[i].y, out[i].z), "vertices {i} and {j}");
+            if p.x == 0.0 {
+                assert!(out[i].x.abs() <= 0.0, "vertex {i} leaves the plane");
+            }
+            pairs += 1;
+        }
+        assert!(pairs > mesh.vertices().len() * 9 / 10, "the mesh is its own mirror image");
+    }
+}
+
+#[test]
+fn parts_stay_attached_when_one_is_scaled() {
+    let mesh = table(2).mesh();
+    let graph = build(&mesh, 3);
+    let mut scales = vec![Vec3::ONE; graph.parameter_rows()];
+    scales[1].z = 2.0;
+    scales[0].x = 1.5;
+    let out = graph.deform(&scales).unwrap();
+    let top_bottom = bounds(&graph, &out, 0).0.z;
+    for leg in 1..5 {
+        let (low, high) = bounds(&graph, &out, leg);
+        assert!(
+            (high.z - top_bottom).abs() < 0.03,
+            "leg {leg} ends at {}, the top begins at {top_bottom}",
+            high.z
+        );
+        assert!(
+            (low.x.abs().max(high.x.abs()) - 1.325).abs() < 0.06,
+            "leg {leg} keeps its place under the top"
+        );
+    }
+}
+
+fn bounds(graph: &BoxDefGraph, positions: &[Vec3], part: i32) -> (Vec3, Vec3) {
+    let owned = positions.iter().zip(graph.assignment()).filter(|&(_, &owner)| owner == part);
+    owned.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), (&p, _)| (low.min(p), high.max(p)))
+}
+
+#[test]
+fn place_and_unit_change_nothing() {
+    let reference = build(&chair(2).mesh(), 4);
+    for (scale, shift) in [(1e-6, 0.0), (1e6, 0.0), (1.0, 100.0), (0.0254, -3.0)] {
+        let graph = build(&chair(2).moved(|p| p * scale + Vec3::splat(shift)).mesh(), 4);
+        assert_eq!(graph.box_side(), reference.box_side(), "scale {scale}, shift {shift}");
+        assert_eq!(graph.assignment(), reference.assignment());
+        assert_eq!(graph.tree_edges(), reference.tree_edges());
+        let pairs = graph.field().basis().iter().zip(reference.field().basis());
+        let mut errors: Vec<f32> = pairs.map(|(a, b)| (a / scale - b).abs()).collect();
+        errors.sort_by(f32::total_cmp);
+        // Rounding may turn a tie between two equally near vertices: few, and by little.
+        let (most, worst) = (errors[errors.len() * 98 / 100], errors[errors.len() - 1]);
+        assert!(most < 1e-4 && worst < 0.02, "scale {scale}, shift {shift}: {most}, {worst}");
+    }
+}
+
+#[test]
+fn one_thread_and_two_give_the_same_bytes() {
+    let mesh = aeroplane().mesh();
+    let on = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| build(&mesh, 5))
+    };
+    let (one, two) = (on(1), on(2));
+    assert_eq!(one, two);
+    let bits = |g: &BoxDefGraph| g.field().basis().iter().map(|b| b.to_bits()).collect::<Vec<_>>();
+    assert_eq!(bits(&one), bits(&two));
+}
+
+#[test]
+fn the_field_at_the_vertices_is_the_field() {
+    let mesh = chair(3).mesh();
+    let graph = build(&mesh, 4);
+    assert_eq!(graph.field_at(mesh.vertices()).unwrap(), *graph.field());
+}
+
+#[test]
+fn the_field_at_other_points_is_symmetric_and_moves_with_the_parts() {
+    let mesh = table(4).mesh();
+    let graph = build(&mesh, 3);
+    let points: Vec<Vec3> = (0..200)
+        .map(|i| {
+            let t = i as f32 / 199.0;
+            v((t * 13.0).sin(), (t * 29.0).cos() * 0.6, t * 0.78)
+        })
+        .flat_map(|p| [p, v(-p.x, p.y, p.z), v(0.0, p.y, p.z)])
+        .collect();
+    let field = graph.field_at(&points).unwrap();
+    let out = field.deform(&some_scales(graph.parameter_rows(), 5));
+    for triple in out.chunks(3) {
+        assert_eq!(triple[1], v(-triple[0].x, triple[0].y, triple[0].z));
+        assert!(triple[2].x.abs() <= 0.0, "{} leaves the plane", triple[2]);
+    }
+    // A refined mesh moves as the coarse one does: a scaling of everything is the same everywhere.
+    let all = vec![v(1.5, 0.8, 1.2); graph.parameter_rows()];
+    let (low, high) = mesh.surface_bounds();
+    let center = ((low + high) * 0.5).as_vec3();
+    for (moved, &rest) in graph.field_at(&points).unwrap().deform(&all).iter().zip(&points) {
+        assert!(moved.distance(center + (rest - center) * all[0]) < 0.02, "{rest} goes to {moved}");
+    }
+}
+
+fn two_boxes() -> (Mesh, Parts) {
+    let mut m = Maker::default();
+    m.cuboid(v(-1.0, -1.0, 0.0), v(1.0, 1.0, 1.0), 2).cuboid(v(-0.5, -0.5, 1.0), v(0.5, 0.5, 2.0), 2);
+    let each = build_counts(2);
+    let parts = Parts {
+        box_center: vec![v(0.0, 0.0, 0.5), v(0.0, 0.0, 1.5)],
+        box_half_size: vec![v(1.0, 1.0, 0.5), v(0.5, 0.5, 0.5)],
+        box_side: vec![0, 0],
+        assignment: [vec![0; each], vec![1; each]].concat(),
+        tree_edges: vec![[0, 1]],
+        tree_parent_point: vec![v(0.0, 0.0, 1.0)],
+        tree_child_point: vec![v(0.0, 0.0, 1.0)],
+        edges: vec![[0, 1]],
+    };
+    (m.mesh(), parts)
+}
+
+/// What the sentence must say, and what is spoilt.
+type Case = (&'static str, fn(&mut Parts));
+
+#[test]
+fn given_parts_are_checked_with_a_sentence_each() {
+    let (mesh, good) = two_boxes();
+    assert_eq!(BoxDefGraph::from_parts(&mesh, good.clone()).unwrap().parts(), &good);
+    let cases: [Case; 14] = [
+        ("no boxes", |p| *p = Parts::default()),
+        ("box_half_size has 1 rows", |p| p.box_half_size.truncate(1)),
+        ("box_side has 1 rows", |p| p.box_side.truncate(1)),
+        ("assignment has 1 rows", |p| p.assignment.truncate(1)),
+        ("tree_edges has 0 rows, but 1", |p| p.tree_edges.clear()),
+        ("tree_parent_point has 0 rows", |p| p.tree_parent_point.clear()),
+        ("box_center has a number that is not finite in row 1", |p| p.box_center[1].x = f32::NAN),
+        ("below zero in row 0", |p| p.box_half_size[0].y = -1.0),
+        ("box_side is 3 in row 1", |p| p.box_side[1] = 3),
+        ("1 pos and 0 neg", |p| p.box_side[1] = 1),
+        ("assignment names box 2 in row 3", |p| p.assignment[3] = 2),
+        ("edges names box -1", |p| p.edges[0][1] = -1),
+        ("(1 to 1) is out of place", |p| p.tree_edges[0] = [1, 1]),
+        ("joins box 0 to itself", |p| p.edges[0] = [0, 0]),
+    ];
+    for (sentence, spoil) in cases {
+        let mut parts = good.clone();
+        spoil(&mut parts);
+        let error = BoxDefGraph::from_parts(&mesh, parts).unwrap_err().to_string();
+        assert!(error.contains(sentence), "{error:?} does not say {sentence:?}");
+    }
+}
+
+#[test]
+fn a_graph_can_be_taken_apart_and_put_together_again() {
+    let mesh = chair(2).mesh();
+    let built = build(&mesh, 4);
+    let again = BoxDefGraph::from_parts(&mesh, built.parts().clone()).unwrap();
+    assert_eq!(again.parts(), built.parts());
+    assert_eq!(again.parameter_row_of_box(), built.parameter_row_of_box());
+    assert_eq!(again.symmetry(), built.symmetry());
+}
+
+#[test]
+fn bad_requests_are_refused_in_words() {
+    let mesh = plain_box();
+    for splits in [0, 9] {
+        assert_eq!(
+            BoxDefGraph::build(&mesh, splits, Symmetry::Auto).unwrap_err(),
+            BoxDefError::Splits(splits)
+        );
+    }
+    let graph = build(&mesh, 1);
+    let error = graph.deform(&[Vec3::ONE; 2]).unwrap_err().to_string();
+    assert!(error.contains("scales has 2 rows, but 1 are needed"), "{error}");
+    assert!(graph.deform(&[Vec3::NAN]).is_err());
+    assert!(graph.field_at(&[Vec3::INFINITY]).is_err());
+}

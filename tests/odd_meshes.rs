@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! Meshes as people have them: every valid one gets a connected graph and a finite field.
+
+mod common;
+
+use boxmorph::boxdef::{BoxDefGraph, Symmetry};
+use boxmorph::mesh::{Mesh, MeshError};
+use common::{Maker, ball, chair, v};
+use glam::Vec3;
+use rand::{Rng, RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// What must hold for every mesh.
+fn check(name: &str, mesh: &Mesh, splits: u32, symmetry: Symmetry) -> BoxDefGraph {
+    let graph = BoxDefGraph::build(mesh, splits, symmetry).expect("every valid mesh has a graph");
+    let boxes = graph.box_center().len();
+    assert!(boxes >= 1 && boxes <= 2 * splits as usize + 1, "{name}: {boxes} boxes after {splits} splits");
+    assert_eq!(graph.assignment().len(), mesh.vertices().len());
+    assert!(graph.assignment().iter().all(|&owner| (0..boxes as i32).contains(&owner)), "{name}");
+    for part in graph.box_center().iter().chain(graph.box_half_size()) {
+        assert!(part.is_finite(), "{name}");
+    }
+    let mut reached = vec![false; boxes];
+    reached[graph.tree_edges().first().map_or(0, |edge| edge[0] as usize)] = true;
+    for &[parent, child] in graph.tree_edges() {
+        assert!(reached[parent as usize] && !reached[child as usize], "{name}: the tree is out of order");
+        reached[child as usize] = true;
+    }
+    assert!(reached.iter().all(|&r| r), "{name}: the graph is not connected");
+    assert!(graph.field().basis().iter().all(|b| b.is_finite()), "{name}: the field is not finite");
+    let ones = vec![Vec3::ONE; graph.parameter_rows()];
+    assert_eq!(graph.deform(&ones).unwrap(), mesh.vertices(), "{name}");
+    let back = BoxDefGraph::from_parts(mesh, graph.parts().clone());
+    assert!(back.is_ok(), "{name}: its own parts are refused: {:?}", back.err());
+    graph
+}
+
+#[test]
+fn arrays_that_make_no_mesh_are_refused_with_a_sentence() {
+    let triangle = vec![v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0)];
+    let with = |i: usize, p: Vec3| {
+        let mut vertices = triangle.clone();
+        vertices[i] = p;
+        vertices
+    };
+    let cases = [
+        (vec![], vec![], "no vertices"),
+        (triangle.clone(), vec![], "no faces"),
+        (with(1, v(f32::NAN, 0.0, 0.0)), vec![[0, 1, 2]], "vertex 1 has a coordinate that is not"),
+        (with(2, v(0.0, f32::NEG_INFINITY, 0.0)), vec![[0, 1, 2]], "vertex 2 has"),
+        (with(0, v(1e30, 0.0, 0.0)), vec![[0, 1, 2]], "scale the object down"),
+        (triangle.clone(), vec![[0, 1, 2], [0, 1, 3]], "triangle 1 uses vertex 3, but there are only 3"),
+        (vec![v(2.0, 2.0, 2.0); 3], vec![[0, 1, 2]], "one point"),
+        (vec![v(2.0, 2.0, 2.0)], vec![[0, 0, 0]], "one point"),
+        (with(2, v(2.0, 0.0, 0.0)), vec![[0, 1, 2]], "zero area"),
+        (triangle.clone(), vec![[0, 1, 1]], "zero area"),
+    ];
+    for (vertices, triangles, sentence) in cases {
+        let error: MeshError = Mesh::new(vertices, triangles).unwrap_err();
+        assert!(error.to_string().contains(sentence), "{error:?} does not say {sentence:?}");
+    }
+}
+
+#[test]
+fn one_triangle_and_three_work() {
+    let corners = vec![v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0), v(0.0, 0.0, 1.0)];
+    let one = Mesh::new(corners[..3].to_vec(), vec![[0, 1, 2]]).unwrap();
+    assert_eq!(check("one triangle", &one, 3, Symmetry::Auto).box_center().len(), 1);
+    let three = Mesh::new(corners, vec![[0, 1, 2], [0, 1, 3], [0, 2, 3]]).unwrap();
+    check("three triangles", &three, 3, Symmetry::Auto);
+}
+
+#[test]
+fn a_sheet_thinner_than_any_cell_has_parts_too() {
+    // A flat T in the plane y = 0: a bar on a stem.
+    let mut m = Maker::default();
+    m.patch(v(-1.0, 0.0, 1.0), v(2.0, 0.0, 0.0), v(0.0, 0.0, 0.3), (12, 3));
+    m.patch(v(-0.1, 0.0, 0.0), v(0.2, 0.0, 0.0), v(0.0, 0.0, 1.0), (2, 8));
+    let graph = check("flat T", &m.mesh(), 1, Symmetry::Auto);
+    assert_eq!(graph.box_center().len(), 2, "{:?}", graph.box_half_size());
+}
+
+#[test]
+fn an_open_shell_has_the_parts_of_a_closed_one() {
+    let closed = chair(3).mesh();
+    // Without the faces that look down.
+    let open: Vec<[u32; 3]> = closed
+        .triangles()
+        .iter()
+        .copied()
+        .filter(|t| {
+            let [a, b, c] = t.map(|i| closed.vertices()[i as usize]);
+            (b - a).cross(c - a).normalize().z > -0.9
+        })
+        .collect();
+    assert!(open.len() < closed.triangles().len());
+    let open = Mesh::new(closed.vertices().to_vec(), open).unwrap();
+    let (a, b) = (check("closed", &closed, 4, Symmetry::Auto), check("open", &open, 4, Symmetry::Auto));
+    assert_eq!(a.box_side(), b.box_side());
+    for (a, b) in a.box_center().iter().zip(b.box_center()) {
+        assert!(a.distance(*b) < 0.05, "{a} and {b}");
+    }
+}
+
+#[test]
+fn flipped_normals_and_duplicate_faces_change_nothing() {
+    let mesh = chair(2).mesh();
+    let flipped = mesh
+        .triangles()
+        .iter()
+        .enumerate()
+        .map(|(i, &[a, b, c])| if i % 3 == 0 { [a, c, b] } else { [a, b, c] });
+    let doubled: Vec<[u32; 3]> = flipped.chain(mesh.triangles()[..20].iter().copied()).collect();
+    let other = Mesh::new(mesh.vertices().to_vec(), doubled).unwrap();
+    let (a, b) = (check("plain", &mesh, 4, Symmetry::Auto), check("flipped", &other, 4, Symmetry::Auto));
+    assert_eq!(a, b);
+}
+
+#[test]
+fn stray_vertices_are_owned_but_do_not_matter() {
+    let mesh = chair(2).mesh();
+    let mut vertices = mesh.vertices().to_vec();
+    vertices.push(v(1000.0, 0.0, 0.0));
+    let strayed = Mesh::new(vertices, mesh.triangles().to_vec()).unwrap();
+    let (a, b) = (check("plain", &mesh, 4, Symmetry::Auto), check("stray", &strayed, 4, Symmetry::Auto));
+    assert_eq!(a.box_center(), b.box_center());
+    assert_eq!(a.assignment(), &b.assignment()[..mesh.vertices().len()]);
+}
+
+#[test]
+fn seams_do_not_part_a_shell() {
+    // Every triangle with vertices of its own, as some files have them.
+    let mesh = chair(2).mesh();
+    let vertices = mesh.triangles().iter().flatten().map(|&i| mesh.vertices()[i as usize]).collect();
+    let triangles = (0..mesh.triangles().len() as u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect();
+    let loose = Mesh::new(vertices, triangles).unwrap();
+    let (a, b) = (check("joined", &mesh, 4, Symmetry::Auto), check("loose", &loose, 4, Symmetry::Auto));
+    assert_eq!(a.box_side(), b.box_side());
+    let scales: Vec<Vec3> = (0..a.parameter_rows()).map(|i| Vec3::splat(0.5 + i as f32 * 0.4)).collect();
+    let (joined, apart) = (a.deform(&scales).unwrap(), b.deform(&scales).unwrap());
+    for (corner, &i) in mesh.triangles().iter().flatten().enumerate() {
+        assert!(apart[corner].distance(joined[i as usize]) < 0.02, "corner {corner} tears off");
+    }
+}
+
+#[test]
+fn parts_that_float_apart_are_joined() {
+    for n in [2, 7] {
+        let mut m = Maker::default();
+        for i in 0..n {
+            let at = i as f32 * 1.7;
+            m.cuboid(v(at, 0.0, 0.0), v(at + 0.5, 0.8, 0.3 + at), 1);
+        }
+        let graph = check("floating blocks", &m.mesh(), 8, Symmetry::None);
+        assert!(graph.box_center().len() > 1);
+        assert!(graph.edges().len() + 1 >= graph.box_center().len());
+    }
+}
+
+#[test]
+fn two_halves_without_a_middle_stay_mirror_images() {
+    let mut m = Maker::default();
+    m.sphere(v(1.0, 0.0, 0.0), 0.5, 8);
+    let mesh = m.mirrored(0).mesh();
+    let graph = check("two balls", &mesh, 2, Symmetry::Auto);
+    assert_eq!(graph.box_side(), [1, 2]);
+    let out = graph.deform(&[v(1.5, 0.5, 2.0)]).unwrap();
+    let half = out.len() / 2;
+    for i in 0..half {
+        assert_eq!(out[i + half], v(-out[i].x, out[i].y, out[i].z));
+    }
+}
+
+#[test]
+fn extreme_sizes_and_shapes_work() {
+    for scale in
+        [v(1e-6, 1e-6, 1e-6), v(1e6, 1e6, 1e6), v(1.0, 1.0, 1e-5), v(1e4, 1.0, 1.0), v(1.0, 1e-7, 1e3)]
+    {
+        for symmetry in [Symmetry::Auto, Symmetry::None, Symmetry::X, Symmetry::Y, Symmetry::Z] {
+            let name = format!("chair times {scale} with {symmetry:?}");
+            check(&name, &chair(2).moved(|p| p * scale).mesh(), 4, symmetry);
+        }
+    }
+    check("ball about z", &ball(), 3, Symmetry::Z);
+}
+
+#[test]
+fn random_nasty_meshes_all_work() {
+    for seed in 0..80 {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let Ok(mesh) = nasty(&mut rng) else { continue };
+        let symmetry =
+            [Symmetry::Auto, Symmetry::None, Symmetry::X, Symmetry::Y, Symmetry::Z][rng.random_range(0..5)];
+        let graph = check(&format!("seed {seed}"), &mesh, rng.random_range(1..9), symmetry);
+        let points: Vec<Vec3> = (0..20).map(|_| mesh.vertices()[0] + spread(&mut rng, 3.0)).collect();
+        let field = graph.field_at(&points).unwrap();
+        assert!(field.basis().iter().all(|b| b.is_finite()), "seed {seed}");
+    }
+}
+
+fn spread(rng: &mut impl Rng, size: f32) -> Vec3 {
+    Vec3::from_array(std::array::from_fn(|_| rng.random_range(-size..size)))
+}
+
+/// Islands of all kinds, thrown together; some of their corners moved onto each other or far away.
+fn nasty(rng: &mut ChaCha8Rng) -> Result<Mesh, MeshError> {
+    let mut m = Maker::default();
+    for _ in 0..rng.random_range(1..12) {
+        let (at, size) = (spread(rng, 2.0), spread(rng, 1.5).abs() + 1e-4);
+        let n = rng.random_range(1..5);
+        match rng.random_range(0..6) {
+            0 => m.cuboid(at, at + size, n),
+            1 => m.sphere(at, size.x, n + 2),
+            2 => m.patch(at, spread(rng, 1.0), spread(rng, 1.0), (n, 2)),
+            3 => m.patch(at, v(size.x, 0.0, 0.0), v(0.0, size.y, 0.0), (n, n)),
+            4 => m.cuboid(at, at + v(size.x, 1e-6, size.z), n),
+            _ => {
+                let first = m.vertices.len() as u32;
+                m.vertices.extend((0..9).map(|_| at + spread(rng, 0.5)));
+                let soup = (0..20).map(|_| [0; 3].map(|_: u32| first + rng.random_range(0..9)));
+                m.triangles.extend(soup);
+                &mut m
+            }
+        };
+    }
+    if rng.random_bool(0.3) {
+        m = m.mirrored(rng.random_range(0..3));
+    }
+    let count = m.vertices.len();
+    for _ in 0..rng.random_range(0..5) {
+        let (a, b) = (rng.random_range(0..count), rng.random_range(0..count));
+        m.vertices[a] = m.vertices[b];
+    }
+    if rng.random_bool(0.2) {
+        m.vertices.push(spread(rng, 100.0));
+    }
+    let unit = 10.0_f32.powf(rng.random_range(-6.0..6.0));
+    let flat = if rng.random_bool(0.2) { v(1.0, 0.0, 1.0) } else { Vec3::ONE };
+    let m = m.moved(|p| p * unit * flat);
+    Mesh::new(m.vertices, m.triangles)
+}
