@@ -55,7 +55,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         try:
             search = self._begin(context)
             search.run()
-            search.keep(self._object(search))
+            search.keep(context.active_object)
         except Refusal as refusal:
             return self._refuse(refusal)
         self.report({"INFO"}, search.summary())
@@ -104,13 +104,16 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
     def _tick(self, context, search):
         ended = search.poll()
         self._show_status(context)
+        obj = search.find_object()
+        if obj is None:
+            name = search.object_name
+            return self._give_up(context, f"Cancelled: “{name}” was deleted or its mesh was changed")
+        if obj.mode != "OBJECT":
+            return {"PASS_THROUGH"}
+        if not ended:
+            search.preview(obj)
+            return {"PASS_THROUGH"}
         try:
-            obj = self._object(search)
-            if obj.mode != "OBJECT":
-                return {"PASS_THROUGH"}
-            if not ended:
-                search.preview(obj)
-                return {"PASS_THROUGH"}
             search.keep(obj)
         except Refusal as refusal:
             self._take_back(search)
@@ -133,13 +136,6 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         for note in search.notes():
             self.report({"WARNING"}, note)
         return search
-
-    def _object(self, search):
-        obj = search.find_object()
-        if obj is None:
-            search.cancel()
-            raise Refusal(f"“{search.object_name}” was deleted or its mesh was changed during the search")
-        return obj
 
     def _give_up(self, context, message):
         search = _Running.search
