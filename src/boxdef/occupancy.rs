@@ -277,7 +277,8 @@ mod tests {
 
     #[test]
     fn a_closed_cylinder_is_solid_however_it_lies() {
-        for (segments, turn) in [(8, 0.0), (32, 0.0), (32, 0.3), (200, 0.7), (200, 1.2), (1000, 1.570_796_4)] {
+        for (segments, turn) in [(8, 0.0), (32, 0.0), (32, 0.3), (200, 0.7), (200, 1.2), (1000, 1.570_796_4)]
+        {
             let volume = f64::from(segments) / 8.0 * (std::f64::consts::TAU / f64::from(segments)).sin();
             let found = filled(&cylinder(segments, turn));
             assert!(found > 0.95 * volume && found < 1.1 * volume, "{segments} segments at {turn}: {found}");
