@@ -303,17 +303,25 @@ class BOXMORPH_OT_show_views(bpy.types.Operator):
         return {"FINISHED"}
 
 
-def progress_text(progress):
-    """Return progress in words: phase, generation, score, time left."""
-    parts = [progress["phase"].replace("_", " ").capitalize()]
+def progress_parts(progress):
+    """Return progress in words: the phase, how far it is, and the time left; the latter two may be empty."""
+    done = []
     if progress["generation"]:
         total = f" of {progress['generations']}" if progress["generations"] else ""
-        parts.append(f"generation {progress['generation']}{total}")
+        done.append(f"Generation {progress['generation']}{total}")
     if progress["best_score"] is not None:
-        parts.append(f"score {progress['best_score']:.3f}")
-    if progress["seconds_left"] is not None:
-        parts.append(f"{progress['seconds_left']:.0f} s left")
-    return ", ".join(parts)
+        done.append(f"score {progress['best_score']:.3f}")
+    left = progress["seconds_left"]
+    if left is None:
+        left = ""
+    else:
+        left = f"{left:.0f} s left" if left < 100 else f"{left / 60:.0f} min left"
+    return progress["phase"].capitalize(), ", ".join(done), left
+
+
+def progress_text(progress):
+    """Return progress in one line."""
+    return "   ".join(part for part in progress_parts(progress) if part)
 
 
 def redraw_panels(context):

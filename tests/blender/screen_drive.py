@@ -128,10 +128,6 @@ class Screen:
     def click(self, x, y):
         """Leave what is under the mouse, come back and press the left button."""
         self.move(WIDTH // 3, HEIGHT // 2)
-        self.press(x, y)
-
-    def press(self, x, y):
-        """Go there and press the left button."""
         self.move(x, y)
         self._xdotool("mousedown", 1)
         time.sleep(0.1)
