@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Blender objects to arrays: what may be deformed, and the positions and triangles of it.
 
-Coordinates are object coordinates, z up, unless said otherwise. Nothing here changes the object for longer than
-one call.
+Coordinates are object coordinates, z up, unless said otherwise. Nothing here changes the object for longer
+than one call.
 """
 
 from contextlib import contextmanager

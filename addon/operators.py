@@ -55,7 +55,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         try:
             search = self._begin(context)
             search.run()
-            search.keep(self._object(search))
+            search.keep(context.active_object)
         except Refusal as refusal:
             return self._refuse(refusal)
         self.report({"INFO"}, search.summary())
@@ -71,7 +71,8 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         wm = context.window_manager
         self._timer = wm.event_timer_add(_TICK_SECONDS, window=context.window)
         self._workspace = context.workspace.name
-        bpy.app.handlers.undo_post.append(_on_undo)
+        for handlers in _undo_handlers():
+            handlers.append(_before_undo)
         wm.modal_handler_add(self)
         self._show_status(context)
         return {"RUNNING_MODAL"}
@@ -103,13 +104,16 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
     def _tick(self, context, search):
         ended = search.poll()
         self._show_status(context)
+        obj = search.find_object()
+        if obj is None:
+            name = search.object_name
+            return self._give_up(context, f"Cancelled: “{name}” was deleted or its mesh was changed")
+        if obj.mode != "OBJECT":
+            return {"PASS_THROUGH"}
+        if not ended:
+            search.preview(obj)
+            return {"PASS_THROUGH"}
         try:
-            obj = self._object(search)
-            if obj.mode != "OBJECT":
-                return {"PASS_THROUGH"}
-            if not ended:
-                search.preview(obj)
-                return {"PASS_THROUGH"}
             search.keep(obj)
         except Refusal as refusal:
             self._take_back(search)
@@ -133,16 +137,14 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             self.report({"WARNING"}, note)
         return search
 
-    def _object(self, search):
-        obj = search.find_object()
-        if obj is None:
-            search.cancel()
-            raise Refusal(f"“{search.object_name}” was deleted or its mesh was changed during the search")
-        return obj
-
     def _give_up(self, context, message):
         search = _Running.search
         search.cancel()
+        obj = search.find_object()
+        if obj is not None and obj.mode != "OBJECT":
+            # The edits of this mode are the user's: the preview goes when they leave it.
+            _Running.stop = True
+            return {"PASS_THROUGH"}
         self._take_back(search)
         self._clear(context)
         self.report({"INFO"}, message)
@@ -150,12 +152,8 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
 
     def _take_back(self, search):
         obj = search.find_object()
-        if obj is None:
-            return
-        if obj.mode != "OBJECT" and obj == bpy.context.object:
-            # A key cannot be removed in Edit Mode, and the edits of this mode are the user's.
-            bpy.ops.object.mode_set(mode="OBJECT")
-        search.take_back(obj)
+        if obj is not None:
+            search.take_back(obj)
 
     def _refuse(self, refusal):
         self.report({"ERROR"}, str(refusal))
@@ -173,8 +171,9 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         if self._timer is not None:
             context.window_manager.event_timer_remove(self._timer)
             self._timer = None
-        if _on_undo in bpy.app.handlers.undo_post:
-            bpy.app.handlers.undo_post.remove(_on_undo)
+        for handlers in _undo_handlers():
+            if _before_undo in handlers:
+                handlers.remove(_before_undo)
         workspace = bpy.data.workspaces.get(self._workspace)
         if workspace is not None:
             workspace.status_text_set(None)
@@ -304,17 +303,25 @@ class BOXMORPH_OT_show_views(bpy.types.Operator):
         return {"FINISHED"}
 
 
-def progress_text(progress):
-    """Return progress in words: phase, generation, score, time left."""
-    parts = [progress["phase"].replace("_", " ").capitalize()]
+def progress_parts(progress):
+    """Return progress in words: the phase, how far it is, and the time left; the latter two may be empty."""
+    done = []
     if progress["generation"]:
         total = f" of {progress['generations']}" if progress["generations"] else ""
-        parts.append(f"generation {progress['generation']}{total}")
+        done.append(f"Generation {progress['generation']}{total}")
     if progress["best_score"] is not None:
-        parts.append(f"score {progress['best_score']:.3f}")
-    if progress["seconds_left"] is not None:
-        parts.append(f"{progress['seconds_left']:.0f} s left")
-    return ", ".join(parts)
+        done.append(f"score {progress['best_score']:.3f}")
+    left = progress["seconds_left"]
+    if left is None:
+        left = ""
+    else:
+        left = f"{left:.0f} s left" if left < 100 else f"{left / 60:.0f} min left"
+    return progress["phase"].capitalize(), ", ".join(done), left
+
+
+def progress_text(progress):
+    """Return progress in one line."""
+    return "   ".join(part for part in progress_parts(progress) if part)
 
 
 def redraw_panels(context):
@@ -327,10 +334,22 @@ def redraw_panels(context):
                         region.tag_redraw()
 
 
+def _undo_handlers():
+    return bpy.app.handlers.undo_pre, bpy.app.handlers.redo_pre
+
+
 @persistent
-def _on_undo(*_):
-    # What the trial wrote may be undone by now; the next tick cleans up with fresh pointers.
+def _before_undo(*_):
+    # Undo keeps a mesh that no undo step changed, and frees a Key that no step knows: the preview must go
+    # first, or the mesh would point to freed memory. Entering Edit Mode has made a step that knows the Key.
+    search = _Running.search
+    if search is None:
+        return
     _Running.undone = True
+    search.cancel()
+    obj = search.find_object()
+    if obj is not None and obj.mode == "OBJECT":
+        search.take_back(obj)
 
 
 classes = (

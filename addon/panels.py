@@ -7,7 +7,7 @@ import bpy
 
 from . import shape_key
 from .images import VIEWS_IMAGE
-from .operators import progress_text, running_progress
+from .operators import progress_parts, running_progress
 from .preferences import preferences
 
 
@@ -39,11 +39,13 @@ class BOXMORPH_PT_main(_Sidebar, bpy.types.Panel):
 
 
 def _draw_progress(layout, progress):
-    first, _, rest = progress_text(progress).partition(", ")
+    phase, done, left = progress_parts(progress)
     row = layout.row()
     row.scale_y = 1.4
-    row.progress(factor=min(max(progress["fraction"], 0.0), 1.0), type="BAR", text=first)
-    layout.label(text=rest or " ")
+    row.progress(factor=min(max(progress["fraction"], 0.0), 1.0), type="BAR", text=phase)
+    column = layout.column(align=True)
+    column.label(text=done)
+    column.label(text=left)
     layout.operator("boxmorph.cancel", icon="CANCEL")
 
 

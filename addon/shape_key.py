@@ -122,10 +122,11 @@ class Trial:
         return self.name
 
     def take_back(self, obj):
-        """Restore the keys of `obj` as they were before the trial."""
+        """Restore the keys of `obj` as they were before the trial, once; the trial is over then."""
         keys = obj.data.shape_keys
         key = self._key(obj)
-        if key is None or keys is None:
+        self.name = None
+        if key is None:
             return
         if self.previous is not None:
             self.previous.restore(key)

@@ -8,6 +8,7 @@ report.json, and prints a table. With --readme it also renders docs/images/demo.
 import argparse
 import atexit
 import contextlib
+import functools
 import importlib
 import io
 import json
@@ -38,20 +39,31 @@ def main():
     options = parser.parse_args()
     shutil.rmtree(OUT, ignore_errors=True)
     OUT.mkdir(parents=True)
+    say = _speak_alone()
     extension = _install()
     began = time.monotonic()
     rows = []
     for name in options.object or PROMPTS:
         source = _model(name)
         for prompt in PROMPTS[name]:
+            say(f"{name.replace('_', ' ')} to {prompt} …")
             rows.append(_deform(extension, name, source, prompt))
     seconds = time.monotonic() - began
-    print("\n" + _ROW.format("object", "prompt", "before", "after", "evaluations", "seconds"))
+    say("\n" + _ROW.format("object", "prompt", "before", "after", "evaluations", "seconds"))
     for row in rows:
-        print(_ROW.format(*row))
-    print(f"\n{len(rows)} results in {seconds:.0f} s, in {OUT.relative_to(ROOT)}/")
+        say(_ROW.format(*row))
+    say(f"\n{len(rows)} results in {seconds:.0f} s, in {OUT.relative_to(ROOT)}/")
     if options.readme:
-        _readme(options.object or PROMPTS)
+        say(_readme(options.object or PROMPTS))
+
+
+def _speak_alone():
+    """Send what Blender prints, in C and in Python, to nowhere. Returns a print() to the terminal."""
+    terminal = os.fdopen(os.dup(1), "w", buffering=1)
+    nowhere = open(os.devnull, "w")
+    os.dup2(nowhere.fileno(), 1)
+    sys.stdout = nowhere
+    return functools.partial(print, file=terminal)
 
 
 def _install():
@@ -88,7 +100,7 @@ def _deform(extension, name, source, prompt):
     import bpy
 
     command = importlib.import_module(f"{extension}.command")
-    folder = OUT / f"{source.stem}-{prompt.split(' ', 1)[1].replace(' ', '-')}"
+    folder = _folder(name, prompt)
     folder.mkdir()
     report_path = folder / "report.json"
     bpy.ops.wm.open_mainfile(filepath=str(source))
@@ -106,13 +118,17 @@ def _deform(extension, name, source, prompt):
     return (source.stem, prompt, *scores, report["evaluations"], f"{report['seconds']:.1f}")
 
 
+def _folder(name, prompt):
+    return OUT / f"{name}-{prompt.split(' ', 1)[1]}".replace("_", "-").replace(" ", "-")
+
+
 def _pictures(extension, folder, report):
     """Write the pictures of the object as Blender shows it, modifiers included.
 
     Returns the values of the strip: ALPHAS, held within the slider's limits.
     """
-    import bpy
     import boxmorph
+    import bpy
     import sheets
 
     mesh_io = importlib.import_module(f"{extension}.mesh_io")
@@ -127,9 +143,7 @@ def _pictures(extension, folder, report):
         return mesh_io.shown_arrays(obj, bpy.context)
 
     (before, triangles), (after, _) = shown(0.0), shown(1.0)
-    sheets.save_png(
-        sheets.contact_sheet(boxmorph, before, after, triangles), folder / "contact-sheet.png"
-    )
+    sheets.save_png(sheets.contact_sheet(boxmorph, before, after, triangles), folder / "contact-sheet.png")
     alphas = [min(max(alpha, key.slider_min), key.slider_max) for alpha in ALPHAS]
     strip = sheets.spectrum(boxmorph, [shown(alpha)[0] for alpha in alphas], triangles)
     sheets.save_png(strip, folder / "spectrum.png")
@@ -137,19 +151,22 @@ def _pictures(extension, folder, report):
 
 
 def _readme(names):
-    """Render each object and its outcomes from the saved files, as docs/images/demo.png."""
+    """Render each object and its outcomes from the saved files, as docs/images/demo.png.
+
+    Returns what was written, in words.
+    """
     import portrait
     import sheets
 
     rows = []
     for name in names:
-        folders = sorted(OUT.glob(f"{name.replace('_', '-')}-*/"))
+        folders = [_folder(name, prompt) for prompt in PROMPTS[name]]
         row = [portrait.render(folders[0], 1)] + [portrait.render(folder, 60) for folder in folders]
         rows.append(row)
     path = ROOT / "docs" / "images" / "demo.png"
     path.parent.mkdir(parents=True, exist_ok=True)
     sheets.save_png(sheets.grid(rows), path)
-    print(f"{path.relative_to(ROOT)}: {path.stat().st_size // 1024} kB")
+    return f"{path.relative_to(ROOT)}: {path.stat().st_size // 1024} kB"
 
 
 if __name__ == "__main__":

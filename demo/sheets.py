@@ -33,14 +33,13 @@ def spectrum(boxmorph, shapes, triangles):
 
 
 def grid(rows, gap=10):
-    """Rows of equal pictures, (h, w, 3) each, as one picture with gaps between the rows."""
-    rows = [np.concatenate(row, axis=1) for row in rows]
-    between = np.full((gap, rows[0].shape[1], 3), 255, np.uint8)
-    return np.concatenate([part for row in rows for part in (between, row)][1:], axis=0)
+    """Rows of equal pictures, (h, w, 3) each, as one picture with white gaps."""
+    padded = [[np.pad(p, ((0, gap), (0, gap), (0, 0)), constant_values=255) for p in row] for row in rows]
+    return np.concatenate([np.concatenate(row, axis=1) for row in padded], axis=0)[:-gap, :-gap]
 
 
 def save_png(picture, path):
-    """Write a picture as small as a PNG with one filter gets."""
+    """Write a PNG file."""
     height, width, _ = picture.shape
     left = np.pad(picture, ((0, 0), (1, 0), (0, 0)))[:, :-1]
     lines = np.concatenate([np.ones((height, 1), np.uint8), (picture - left).reshape(height, -1)], axis=1)
@@ -49,7 +48,9 @@ def save_png(picture, path):
     with open(path, "wb") as file:
         file.write(b"\x89PNG\r\n\x1a\n")
         for kind, data in chunks:
-            file.write(struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data)))
+            file.write(
+                struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+            )
 
 
 def _views(boxmorph, vertices, triangles):
@@ -68,10 +69,9 @@ def _views(boxmorph, vertices, triangles):
 
 
 def _tilted(vertices, degrees=18):
-    """A shape tipped towards the fourth view's camera, as if that stood lower."""
-    right = np.array((1, 1, 0)) / np.sqrt(2)
-    a = np.radians(degrees)
-    x, y, z = right
+    """A shape tipped away from the fourth view's camera, as if that stood lower."""
+    x, y, z = np.array((1, -1, 0)) / np.sqrt(2)
+    a = -np.radians(degrees)
     cross = np.array(((0, -z, y), (z, 0, -x), (-y, x, 0)))
     turn = np.eye(3) + np.sin(a) * cross + (1 - np.cos(a)) * cross @ cross
     return vertices @ turn.T

@@ -6,7 +6,7 @@ import numpy as np
 from .modelling import Model, circle, rounded_rectangle
 
 MATERIALS = {
-    "White Paint": (0.85, 0.86, 0.87, 0.0, 0.3),
+    "White Paint": (0.68, 0.69, 0.7, 0.0, 0.3),
     "Blue Paint": (0.02, 0.1, 0.32, 0.0, 0.3),
     "Metal": (0.6, 0.61, 0.63, 1.0, 0.3),
     "Glass": (0.02, 0.025, 0.03, 0.0, 0.1),

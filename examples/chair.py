@@ -66,9 +66,9 @@ def _back():
     rings = []
     for t in np.linspace(-1, 1, 19):
         edge = 1 - 0.5 * np.clip((abs(t) - 0.86) / 0.14, 0, 1) ** 2
-        section = rounded_rectangle(0.019 * edge, 0.155 * (0.9 + 0.1 * edge), 0.0185 * edge, 3)
+        section = rounded_rectangle(0.019 * edge, 0.135 * (0.9 + 0.1 * edge), 0.0185 * edge, 3)
         section = _lengthen(section)
-        z = 0.695 + section[:, 1] - 0.008 * t * t
+        z = 0.72 + section[:, 1] - 0.008 * t * t
         y = np.interp(z, [0.5, 0.83], [0.192, 0.268]) + 0.014 - 0.035 * t * t + section[:, 0]
         rings.append(np.column_stack([np.full(len(z), 0.212 * t), y, z]))
     return rings

@@ -12,7 +12,7 @@ MATERIALS = {
     "Bulb": (0.95, 0.9, 0.75, 0.0, 0.4),
 }
 _HIP, _ELBOW, _HEAD = Vector((0, 0.0, 0.045)), Vector((0, 0.085, 0.235)), Vector((0, -0.095, 0.405))
-_SHADE_AXIS = Vector((0, 0.42, 0.91)).normalized()
+_SHADE_AXIS = Vector((0, 0.12, 0.99)).normalized()
 
 
 def build():
@@ -27,7 +27,7 @@ def build():
             model.tube(points, [0.0042] * 9, "Brass", 8, "Arms")
     for at, width in ((_HIP, 0.018), (_ELBOW, 0.026), (_HEAD, 0.026)):
         model.lathe(_hub(0.014, width), "Enamel", at - Vector((width, 0, 0)), (1, 0, 0), 14, "Arms")
-    rim = _HEAD - _SHADE_AXIS * 0.115 + Vector((0, -0.028, 0))
+    rim = _HEAD - _SHADE_AXIS * 0.115 + Vector((0, -0.036, 0))
     model.lathe(_SHADE, "Enamel", rim, _SHADE_AXIS, 24, "Shade", loop=True)
     model.lathe(_SOCKET, "Brass", rim, _SHADE_AXIS, 16, "Shade")
     model.lathe(_BULB, "Bulb", rim, _SHADE_AXIS, 14, "Shade")

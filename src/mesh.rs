@@ -88,7 +88,7 @@ impl Mesh {
         // Relative to the size, so that the check does not depend on the unit; 1e-12 is far below what a
         // triangle of single-precision corners can mean.
         let least = 1e-12 * extent * extent;
-        if !mesh.triangles.iter().any(|&t| mesh.face_cross(&mesh.vertices, t).length() > least) {
+        if !mesh.triangles.iter().any(|&t| face_cross(&mesh.vertices, t).length() > least) {
             return Err(MeshError::NoArea);
         }
         Ok(mesh)
@@ -129,7 +129,7 @@ impl Mesh {
         assert_eq!(positions.len(), self.vertices.len(), "one position per vertex");
         let mut sums = vec![DVec3::ZERO; positions.len()];
         for &triangle in &self.triangles {
-            if let Some(normal) = self.face_cross(positions, triangle).try_normalize() {
+            if let Some(normal) = face_cross(positions, triangle).try_normalize() {
                 for i in triangle {
                     sums[i as usize] += normal;
                 }
@@ -137,11 +137,10 @@ impl Mesh {
         }
         sums.iter().map(|sum| sum.try_normalize().unwrap_or(DVec3::NAN).as_vec3()).collect()
     }
+}
 
-    /// Twice the area of a triangle, along its normal.
-    #[allow(clippy::unused_self, reason = "reads as a property of the mesh's faces")]
-    fn face_cross(&self, positions: &[Vec3], [a, b, c]: [u32; 3]) -> DVec3 {
-        let corner = |i: u32| positions[i as usize].as_dvec3();
-        (corner(b) - corner(a)).cross(corner(c) - corner(a))
-    }
+/// Twice the area of a triangle, along its normal.
+fn face_cross(positions: &[Vec3], [a, b, c]: [u32; 3]) -> DVec3 {
+    let corner = |i: u32| positions[i as usize].as_dvec3();
+    (corner(b) - corner(a)).cross(corner(c) - corner(a))
 }

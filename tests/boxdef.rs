@@ -5,7 +5,7 @@ mod common;
 
 use boxmorph::boxdef::{BoxDefError, BoxDefGraph, Parts, Symmetry};
 use boxmorph::mesh::Mesh;
-use common::{Maker, aeroplane, ball, chair, cone, lopsided, plain_box, table, v};
+use common::{Maker, aeroplane, ball, bottle, chair, cone, lamp, lopsided, plain_box, sofa, table, v};
 use glam::Vec3;
 
 fn build(mesh: &Mesh, splits: u32) -> BoxDefGraph {
@@ -63,6 +63,19 @@ fn an_aeroplane_has_wings_apart_from_its_body() {
     assert!(sides(&graph)[1] >= 2, "wings and tail wings: {:?}", graph.box_center());
     let body = graph.box_half_size()[graph.tree_edges()[0][0] as usize];
     assert!(body.y > 0.9 && body.x < 0.15, "the body is the root: {body}");
+}
+
+#[test]
+fn round_and_upholstered_things_have_the_parts_that_one_would_name() {
+    for splits in [2, 5] {
+        let lamp = build(&lamp(), splits);
+        assert_eq!(sides(&lamp), [3, 0, 0], "base, stem and shade: {:?}", lamp.box_half_size());
+    }
+    let bottle = build(&bottle(), 8);
+    assert_eq!(sides(&bottle), [2, 0, 0], "body and neck: {:?}", bottle.box_half_size());
+    let sofa = build(&sofa(), 5);
+    assert_eq!(sides(&sofa), [2, 2, 2], "seat, back, arms, feet: {:?}", sofa.box_half_size());
+    assert!(sofa.box_half_size().iter().any(|half| half.z < 0.07), "the feet are parts of their own");
 }
 
 #[test]
@@ -134,7 +147,7 @@ fn a_symmetric_mesh_stays_symmetric_bit_for_bit_and_closed_at_the_plane() {
             let Some(j) = image else { continue };
             assert_eq!(out[j], v(-out[i].x, out[i].y, out[i].z), "vertices {i} and {j}");
             if p.x == 0.0 {
-                assert_eq!(out[i].x, 0.0, "vertex {i} leaves the plane");
+                assert!(out[i].x.abs() <= 0.0, "vertex {i} leaves the plane");
             }
             pairs += 1;
         }
@@ -153,8 +166,15 @@ fn parts_stay_attached_when_one_is_scaled() {
     let top_bottom = bounds(&graph, &out, 0).0.z;
     for leg in 1..5 {
         let (low, high) = bounds(&graph, &out, leg);
-        assert!((high.z - top_bottom).abs() < 0.03, "leg {leg} ends at {}, the top begins at {top_bottom}", high.z);
-        assert!((low.x.abs().max(high.x.abs()) - 1.325).abs() < 0.06, "leg {leg} keeps its place under the top");
+        assert!(
+            (high.z - top_bottom).abs() < 0.03,
+            "leg {leg} ends at {}, the top begins at {top_bottom}",
+            high.z
+        );
+        assert!(
+            (low.x.abs().max(high.x.abs()) - 1.325).abs() < 0.06,
+            "leg {leg} keeps its place under the top"
+        );
     }
 }
 
@@ -215,7 +235,7 @@ fn the_field_at_other_points_is_symmetric_and_moves_with_the_parts() {
     let out = field.deform(&some_scales(graph.parameter_rows(), 5));
     for triple in out.chunks(3) {
         assert_eq!(triple[1], v(-triple[0].x, triple[0].y, triple[0].z));
-        assert_eq!(triple[2].x, 0.0);
+        assert!(triple[2].x.abs() <= 0.0, "{} leaves the plane", triple[2]);
     }
     // A refined mesh moves as the coarse one does: a scaling of everything is the same everywhere.
     let all = vec![v(1.5, 0.8, 1.2); graph.parameter_rows()];
@@ -243,11 +263,14 @@ fn two_boxes() -> (Mesh, Parts) {
     (m.mesh(), parts)
 }
 
+/// What the sentence must say, and what is spoilt.
+type Case = (&'static str, fn(&mut Parts));
+
 #[test]
 fn given_parts_are_checked_with_a_sentence_each() {
     let (mesh, good) = two_boxes();
     assert_eq!(BoxDefGraph::from_parts(&mesh, good.clone()).unwrap().parts(), &good);
-    let cases: [(&str, fn(&mut Parts)); 14] = [
+    let cases: [Case; 14] = [
         ("no boxes", |p| *p = Parts::default()),
         ("box_half_size has 1 rows", |p| p.box_half_size.truncate(1)),
         ("box_side has 1 rows", |p| p.box_side.truncate(1)),

@@ -96,7 +96,6 @@ fn an_open_shell_has_the_parts_of_a_closed_one() {
     assert!(open.len() < closed.triangles().len());
     let open = Mesh::new(closed.vertices().to_vec(), open).unwrap();
     let (a, b) = (check("closed", &closed, 4, Symmetry::Auto), check("open", &open, 4, Symmetry::Auto));
-    println!("{:?} {:?}\n{:?} {:?}", a.box_center(), a.box_half_size(), b.box_center(), b.box_half_size());
     assert_eq!(a.box_side(), b.box_side());
     for (a, b) in a.box_center().iter().zip(b.box_center()) {
         assert!(a.distance(*b) < 0.05, "{a} and {b}");
@@ -106,7 +105,11 @@ fn an_open_shell_has_the_parts_of_a_closed_one() {
 #[test]
 fn flipped_normals_and_duplicate_faces_change_nothing() {
     let mesh = chair(2).mesh();
-    let flipped = mesh.triangles().iter().enumerate().map(|(i, &[a, b, c])| if i % 3 == 0 { [a, c, b] } else { [a, b, c] });
+    let flipped = mesh
+        .triangles()
+        .iter()
+        .enumerate()
+        .map(|(i, &[a, b, c])| if i % 3 == 0 { [a, c, b] } else { [a, b, c] });
     let doubled: Vec<[u32; 3]> = flipped.chain(mesh.triangles()[..20].iter().copied()).collect();
     let other = Mesh::new(mesh.vertices().to_vec(), doubled).unwrap();
     let (a, b) = (check("plain", &mesh, 4, Symmetry::Auto), check("flipped", &other, 4, Symmetry::Auto));
@@ -170,7 +173,9 @@ fn two_halves_without_a_middle_stay_mirror_images() {
 
 #[test]
 fn extreme_sizes_and_shapes_work() {
-    for scale in [v(1e-6, 1e-6, 1e-6), v(1e6, 1e6, 1e6), v(1.0, 1.0, 1e-5), v(1e4, 1.0, 1.0), v(1.0, 1e-7, 1e3)] {
+    for scale in
+        [v(1e-6, 1e-6, 1e-6), v(1e6, 1e6, 1e6), v(1.0, 1.0, 1e-5), v(1e4, 1.0, 1.0), v(1.0, 1e-7, 1e3)]
+    {
         for symmetry in [Symmetry::Auto, Symmetry::None, Symmetry::X, Symmetry::Y, Symmetry::Z] {
             let name = format!("chair times {scale} with {symmetry:?}");
             check(&name, &chair(2).moved(|p| p * scale).mesh(), 4, symmetry);
@@ -181,10 +186,11 @@ fn extreme_sizes_and_shapes_work() {
 
 #[test]
 fn random_nasty_meshes_all_work() {
-    for seed in 0..120 {
+    for seed in 0..80 {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let Ok(mesh) = nasty(&mut rng) else { continue };
-        let symmetry = [Symmetry::Auto, Symmetry::None, Symmetry::X, Symmetry::Y, Symmetry::Z][rng.random_range(0..5)];
+        let symmetry =
+            [Symmetry::Auto, Symmetry::None, Symmetry::X, Symmetry::Y, Symmetry::Z][rng.random_range(0..5)];
         let graph = check(&format!("seed {seed}"), &mesh, rng.random_range(1..9), symmetry);
         let points: Vec<Vec3> = (0..20).map(|_| mesh.vertices()[0] + spread(&mut rng, 3.0)).collect();
         let field = graph.field_at(&points).unwrap();

@@ -15,17 +15,18 @@ use super::symmetry::MirrorMap;
 const WHOLE: f64 = 0.8;
 
 /// The owner of every vertex: the nearest box, the first of several (a vertex inside a box is at distance
-/// 0); but loose parts that lie mostly in one box's space go to it whole, and mirror images to twins.
+/// 0); but loose parts (`islands` numbers them) that lie mostly in one box's space go to it whole, and mirror images to twins.
 pub(crate) fn assign(
     mesh: &Mesh,
     vertices: &[DVec3],
+    islands: &[u32],
     occupancy: &Occupancy,
     boxes: &[PartBox],
     mirror: Option<&MirrorMap>,
 ) -> Vec<i32> {
     let mut owners: Vec<i32> = vertices.par_iter().map(|&v| nearest_box(boxes, v)).collect();
     if boxes.len() > 1 {
-        keep_islands_whole(mesh, vertices, occupancy, boxes, &mut owners);
+        keep_islands_whole(mesh, vertices, islands, occupancy, boxes, &mut owners);
     }
     if let Some(mirror) = mirror {
         for vertex in 0..vertices.len() {
@@ -53,25 +54,25 @@ fn nearest_box(boxes: &[PartBox], vertex: DVec3) -> i32 {
 fn keep_islands_whole(
     mesh: &Mesh,
     vertices: &[DVec3],
+    islands: &[u32],
     occupancy: &Occupancy,
     boxes: &[PartBox],
     owners: &mut [i32],
 ) {
-    let island = islands(mesh);
-    let count = island.iter().max().map_or(0, |&last| last as usize + 1);
+    let count = islands.iter().max().map_or(0, |&last| last as usize + 1);
     if count < 2 {
         return;
     }
     // Only islands whose vertices went to several boxes need a closer look.
     let mut first = vec![None; count];
     let mut sliced = vec![false; count];
-    for (&island, &owner) in island.iter().zip(owners.iter()) {
+    for (&island, &owner) in islands.iter().zip(owners.iter()) {
         let seen = first[island as usize].get_or_insert(owner);
         sliced[island as usize] |= *seen != owner;
     }
     let mut samples = vec![0_u32; count * boxes.len()];
     for triangle in mesh.triangles() {
-        let island = island[triangle[0] as usize] as usize;
+        let island = islands[triangle[0] as usize] as usize;
         if sliced[island] {
             sample_triangle(triangle.map(|i| vertices[i as usize]), |point| {
                 let cell = occupancy.cell_of(point);
@@ -89,54 +90,9 @@ fn keep_islands_whole(
             Some(part as i32)
         })
         .collect();
-    for (owner, &island) in owners.iter_mut().zip(&island) {
+    for (owner, &island) in owners.iter_mut().zip(islands) {
         if let (true, Some(part)) = (sliced[island as usize], whole[island as usize]) {
             *owner = part;
         }
     }
-}
-
-/// Number of the connected part that each vertex belongs to; vertices in the very same place are one, so
-/// that seams split by UVs or normals do not part a shell.
-fn islands(mesh: &Mesh) -> Vec<u32> {
-    let n = mesh.vertices().len();
-    let mut parent: Vec<u32> = (0..n as u32).collect();
-    let mut by_place: Vec<u32> = (0..n as u32).collect();
-    let key = |i: u32| mesh.vertices()[i as usize].to_array().map(|x| (x + 0.0).to_bits());
-    by_place.par_sort_by_key(|&i| (key(i), i));
-    for pair in by_place.windows(2) {
-        if key(pair[0]) == key(pair[1]) {
-            join(&mut parent, pair[0], pair[1]);
-        }
-    }
-    for &[a, b, c] in mesh.triangles() {
-        join(&mut parent, a, b);
-        join(&mut parent, a, c);
-    }
-    let mut number = vec![u32::MAX; n];
-    let mut count = 0;
-    (0..n as u32)
-        .map(|vertex| {
-            let root = find(&mut parent, vertex) as usize;
-            if number[root] == u32::MAX {
-                number[root] = count;
-                count += 1;
-            }
-            number[root]
-        })
-        .collect()
-}
-
-fn find(parent: &mut [u32], mut vertex: u32) -> u32 {
-    while parent[vertex as usize] != vertex {
-        let above = parent[vertex as usize];
-        parent[vertex as usize] = parent[above as usize];
-        vertex = parent[vertex as usize];
-    }
-    vertex
-}
-
-fn join(parent: &mut [u32], a: u32, b: u32) {
-    let (a, b) = (find(parent, a), find(parent, b));
-    parent[a.max(b) as usize] = a.min(b);
 }

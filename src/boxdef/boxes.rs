@@ -87,7 +87,9 @@ pub(crate) fn part_boxes(
 /// Keeps the boxes that own a vertex, or whose twin does. Twins are renumbered.
 pub(crate) fn keep_owners(boxes: &[PartBox], owners: &[i32]) -> Vec<PartBox> {
     let mut owns = vec![false; boxes.len()];
-    owners.iter().for_each(|&owner| owns[owner as usize] = true);
+    for &owner in owners {
+        owns[owner as usize] = true;
+    }
     let kept: Vec<usize> = (0..boxes.len()).filter(|&b| owns[b] || owns[boxes[b].twin]).collect();
     let place = |b: usize| kept.binary_search(&b).unwrap_or(0);
     kept.iter().map(|&b| PartBox { twin: place(boxes[b].twin), ..boxes[b] }).collect()

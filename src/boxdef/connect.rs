@@ -161,9 +161,9 @@ impl Adjacency<'_> {
         for start in 0..n {
             let mut open = if component[start] == start { vec![start] } else { vec![] };
             while let Some(a) = open.pop() {
-                for b in start + 1..n {
-                    if self.are_linked(a, b) && component[b] == b {
-                        component[b] = start;
+                for (b, component) in component.iter_mut().enumerate().skip(start + 1) {
+                    if self.are_linked(a, b) && *component == b {
+                        *component = start;
                         open.push(b);
                     }
                 }
@@ -268,7 +268,9 @@ fn joint(boxes: &[PartBox], contacts: &[Contact], edge: [usize; 2], symmetry: Op
     }
     let mut points = half_joint(boxes, contacts, edge);
     if image == edge {
-        points.iter_mut().for_each(|point| point[axis] = 0.0);
+        for point in &mut points {
+            point[axis] = 0.0;
+        }
     }
     points
 }

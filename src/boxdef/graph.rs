@@ -9,6 +9,7 @@ use super::connect::connect;
 use super::error::BoxDefError;
 use super::field::DeformField;
 use super::frame::Frame;
+use super::islands::{islands, places};
 use super::occupancy::Occupancy;
 use super::parts::Parts;
 use super::propagate::Propagation;
@@ -47,7 +48,8 @@ impl BoxDefGraph {
         }
         let frame = Frame::of_surface(mesh);
         let vertices = frame.vertices(mesh);
-        let mut occupancy = Occupancy::of(mesh, frame, &vertices);
+        let places = places(&vertices);
+        let mut occupancy = Occupancy::of(mesh, frame, &vertices, &places);
         let axis = symmetry::resolve(symmetry, &occupancy);
         if let Some(axis) = axis {
             occupancy.symmetrise(axis);
@@ -55,8 +57,9 @@ impl BoxDefGraph {
         let pieces = split(&mut occupancy, splits, axis);
         let mirror = axis.map(|axis| MirrorMap::of(&vertices, axis));
         let mut boxes = part_boxes(mesh, &vertices, &occupancy, &pieces, axis);
+        let islands = islands(mesh, &places);
         let owners = loop {
-            let owners = assign(mesh, &vertices, &occupancy, &boxes, mirror.as_ref());
+            let owners = assign(mesh, &vertices, &islands, &occupancy, &boxes, mirror.as_ref());
             let kept = keep_owners(&boxes, &owners);
             if kept.len() == boxes.len() {
                 break owners;
@@ -77,7 +80,7 @@ impl BoxDefGraph {
         };
         let stages =
             connections.stages.into_iter().map(|stage| stage.into_iter().map(pair).collect()).collect();
-        Ok(Self::assemble(mesh, parts, frame, &vertices, axis, mirror, stages))
+        Ok(Self::assemble(mesh, parts, frame, &vertices, axis, mirror.as_ref(), stages))
     }
 
     fn assemble(
@@ -86,12 +89,11 @@ impl BoxDefGraph {
         frame: Frame,
         vertices: &[DVec3],
         symmetry_axis: Option<usize>,
-        mirror: Option<MirrorMap>,
+        mirror: Option<&MirrorMap>,
         stages: Vec<Vec<[i32; 2]>>,
     ) -> Self {
         let rows = parts.parameter_rows();
         let parameter_rows = rows.iter().max().map_or(0, |row| row + 1);
-        let mirror = mirror.as_ref();
         let propagation = Propagation { frame, parts: &parts, rows: &rows, vertices, mirror, stages };
         let basis = propagation.basis(parameter_rows);
         let field = DeformField::new(mesh.vertices().to_vec(), parameter_rows, basis);

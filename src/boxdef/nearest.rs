@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Nearest-point queries over a subset of points.
 
+use std::collections::HashSet;
 use std::num::NonZero;
 
 use glam::DVec3;
@@ -21,11 +22,18 @@ impl Nearest {
         let place = |i: u32| points[i as usize].to_array();
         let mut ids: Vec<u32> = ids.into_iter().collect();
         ids.sort_by(|&a, &b| compare(place(a), place(b)).then(a.cmp(&b)));
-        ids.dedup_by(|a, b| place(*a) == place(*b));
+        ids.dedup_by(|a, b| compare(place(*a), place(*b)).is_eq());
         ids.sort_unstable();
         let places: Vec<[f64; 3]> = ids.iter().map(|&i| place(i)).collect();
         let tree = ImmutableKdTree::new_from_slice(&places).expect("a set of finite points makes a tree");
         Self { tree, ids }
+    }
+
+    /// The first of the points that `ids` name in each cube of a grid of this `edge`.
+    pub(crate) fn thin(points: &[DVec3], ids: &[u32], edge: f64) -> Vec<u32> {
+        let mut seen = HashSet::new();
+        let cube = |i: u32| (points[i as usize] / edge).floor().as_i64vec3();
+        ids.iter().copied().filter(|&i| seen.insert(cube(i))).collect()
     }
 
     /// Index of the nearest point, and its distance.

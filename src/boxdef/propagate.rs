@@ -74,7 +74,9 @@ impl Propagation<'_> {
             moved[self.rows[parent]] += p;
             moved[self.rows[child]] -= q;
             if let (Some(mirror), MID) = (self.mirror, parts.box_side[child]) {
-                moved.iter_mut().for_each(|t| t[mirror.axis] = 0.0);
+                for t in &mut moved {
+                    t[mirror.axis] = 0.0;
+                }
             }
             all[child] = moved;
         }
@@ -87,16 +89,13 @@ impl Propagation<'_> {
         for (vertex, &owner) in self.parts.assignment.iter().enumerate() {
             owned[owner as usize].push(vertex as u32);
         }
-        let trees: Vec<Option<Nearest>> = owned
-            .par_iter()
-            .map(|ids| (!ids.is_empty()).then(|| Nearest::new(self.vertices, ids.iter().copied())))
-            .collect();
+        let trees: Vec<Option<Leader>> = owned.par_iter().map(|ids| Leader::of(self.vertices, ids)).collect();
         let between = |leader: i32, follower: i32| -> Vec<Pull> {
             let Some(tree) = &trees[leader as usize] else { return Vec::new() };
             owned[follower as usize]
                 .par_iter()
                 .map(|&vertex| {
-                    let (nearest, distance) = tree.one(self.vertices[vertex as usize]);
+                    let (nearest, distance) = tree.nearest(self.vertices[vertex as usize]);
                     (vertex, nearest, boundary_weight(distance) as f32)
                 })
                 .collect()
@@ -105,6 +104,38 @@ impl Propagation<'_> {
             .iter()
             .map(|stage| stage.iter().flat_map(|&[leader, follower]| between(leader, follower)).collect())
             .collect()
+    }
+}
+
+/// A box with more vertices than this is thinned for followers that are not near.
+const MANY: usize = 4_000;
+/// Edge of the cubes that keep one vertex each.
+const THINNED: f64 = 0.01;
+/// Nearer than this, all vertices count.
+const NEAR: f64 = 0.05;
+
+/// The vertices of a box, to be followed.
+///
+/// From afar one vertex of a neighbourhood is as good as another: their displacements are nearly the same,
+/// and so are the weights. But to find the very nearest of a million that are all about equally far, as
+/// those of a tube are from its axis, takes a long time.
+struct Leader {
+    all: Nearest,
+    thinned: Option<Nearest>,
+}
+
+impl Leader {
+    fn of(vertices: &[DVec3], ids: &[u32]) -> Option<Self> {
+        let tree = |ids: &[u32]| Nearest::new(vertices, ids.iter().copied());
+        let thinned = (ids.len() > MANY).then(|| tree(&Nearest::thin(vertices, ids, THINNED)));
+        (!ids.is_empty()).then(|| Self { all: tree(ids), thinned })
+    }
+
+    fn nearest(&self, vertex: DVec3) -> (u32, f64) {
+        match self.thinned.as_ref().map(|tree| tree.one(vertex)) {
+            Some(found) if found.1 > NEAR => found,
+            _ => self.all.one(vertex),
+        }
     }
 }
 

@@ -34,36 +34,11 @@ struct Source {
     weights: Vec<(u32, f64)>,
 }
 
-impl Transfer<'_> {
-    /// The field at `points` in object coordinates.
-    ///
-    /// A point in a vertex's place moves as the vertex does. Elsewhere it moves as the nearest vertices
-    /// would if they lay there, scaled by their own boxes, weighed by nearness.
-    pub(crate) fn at(&self, points: &[Vec3]) -> DeformField {
-        let vertices: Vec<DVec3> = self.field.rest().iter().map(|&v| self.frame.to_frame(v)).collect();
-        let tree = Nearest::new(&vertices, 0..vertices.len() as u32);
-        // Only a mesh that is its own mirror image can be asked on one side for the other.
-        let fold = self.symmetry.filter(|&axis| MirrorMap::of(&vertices, axis).is_complete());
-        let sources: Vec<Source> =
-            points.par_iter().map(|&point| self.source(&tree, self.frame.to_frame(point), fold)).collect();
-        let (count, rows) = (points.len(), self.field.parameter_rows());
-        let mut basis = vec![0.0_f32; 3 * rows * count];
-        if count > 0 {
-            basis.par_chunks_mut(count).enumerate().for_each(|(plane, values)| {
-                let (axis, row) = (plane / rows, plane % rows);
-                let known = &self.field.basis()[plane * vertices.len()..(plane + 1) * vertices.len()];
-                for (value, source) in values.iter_mut().zip(&sources) {
-                    *value = self.value(known, &vertices, source, axis, row, fold);
-                }
-            });
-        }
-        DeformField::new(points.to_vec(), rows, basis)
-    }
-
-    fn source(&self, tree: &Nearest, point: DVec3, fold: Option<usize>) -> Source {
+impl Source {
+    fn at_point(tree: &Nearest, point: DVec3, fold: Option<usize>) -> Self {
         let (nearest, distance) = tree.one(point);
         if distance == 0.0 {
-            return Source { place: point, reflected: false, weights: vec![(nearest, 1.0)] };
+            return Self { place: point, reflected: false, weights: vec![(nearest, 1.0)] };
         }
         let reflected = fold.is_some_and(|axis| point[axis] < 0.0);
         let place = if let (Some(axis), true) = (fold, reflected) { mirrored(point, axis) } else { point };
@@ -78,7 +53,36 @@ impl Transfer<'_> {
             // All equally far.
             near.iter().map(|&(vertex, _)| (vertex, 1.0 / near.len() as f64)).collect()
         };
-        Source { place, reflected, weights }
+        Self { place, reflected, weights }
+    }
+}
+
+impl Transfer<'_> {
+    /// The field at `points` in object coordinates.
+    ///
+    /// A point in a vertex's place moves as the vertex does. Elsewhere it moves as the nearest vertices
+    /// would if they lay there, scaled by their own boxes, weighed by nearness.
+    pub(crate) fn at(&self, points: &[Vec3]) -> DeformField {
+        let vertices: Vec<DVec3> = self.field.rest().iter().map(|&v| self.frame.to_frame(v)).collect();
+        let tree = Nearest::new(&vertices, 0..vertices.len() as u32);
+        // Only a mesh that is its own mirror image can be asked on one side for the other.
+        let fold = self.symmetry.filter(|&axis| MirrorMap::of(&vertices, axis).is_complete());
+        let sources: Vec<Source> = points
+            .par_iter()
+            .map(|&point| Source::at_point(&tree, self.frame.to_frame(point), fold))
+            .collect();
+        let (count, rows) = (points.len(), self.field.parameter_rows());
+        let mut basis = vec![0.0_f32; 3 * rows * count];
+        if count > 0 {
+            basis.par_chunks_mut(count).enumerate().for_each(|(plane, values)| {
+                let (axis, row) = (plane / rows, plane % rows);
+                let known = &self.field.basis()[plane * vertices.len()..(plane + 1) * vertices.len()];
+                for (value, source) in values.iter_mut().zip(&sources) {
+                    *value = self.value(known, &vertices, source, axis, row, fold);
+                }
+            });
+        }
+        DeformField::new(points.to_vec(), rows, basis)
     }
 
     fn value(

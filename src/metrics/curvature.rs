@@ -8,7 +8,7 @@ use glam::Vec3;
 use super::{MetricsError, check};
 use crate::mesh::Mesh;
 
-/// Mean over the vertices of |K_new − K_old|, K = 2π − Σ of the angles of the triangles at a vertex, in
+/// Mean over the vertices of the absolute change of K, K = 2π − Σ of the angles of the triangles at a vertex, in
 /// radians, not divided by an area. `vertices` (n) are the new positions. Does not depend on the scale.
 pub fn gaussian_curvature_change(mesh: &Mesh, vertices: &[Vec3]) -> Result<f64, MetricsError> {
     check(mesh, vertices)?;

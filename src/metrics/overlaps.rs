@@ -88,9 +88,15 @@ impl Tree<'_> {
             (Some(children), other)
                 if other.is_none() || first.end - first.start >= second.end - second.start =>
             {
-                children.iter().for_each(|&child| self.collect(child, b, pairs));
+                for child in children {
+                    self.collect(child, b, pairs);
+                }
             }
-            (_, Some(children)) => children.iter().for_each(|&child| self.collect(a, child, pairs)),
+            (_, Some(children)) => {
+                for child in children {
+                    self.collect(a, child, pairs);
+                }
+            }
             _ => self.collect_leaves(first, second, a == b, pairs),
         }
     }

@@ -50,7 +50,7 @@ class Screen:
             stdout=self.log,
             stderr=subprocess.STDOUT,
         )
-        self.wait(lambda: self.ask("True"), 120, "Blender on the screen")
+        self.wait(lambda: self.ask("True"), 300, "Blender on the screen")
         return self
 
     def __exit__(self, *_):
@@ -62,7 +62,7 @@ class Screen:
                 process.kill()
         self.log.close()
 
-    def ask(self, code, timeout=60):
+    def ask(self, code, timeout=120):
         """Evaluate `code` inside Blender; return its value. Raises RuntimeError with Blender's traceback."""
         self.count += 1
         path = self.channel / "ask.json"
