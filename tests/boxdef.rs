@@ -61,6 +61,8 @@ fn build_counts(n: u32) -> usize {
 fn an_aeroplane_has_wings_apart_from_its_body() {
     let graph = build(&aeroplane().mesh(), 4);
     assert!(sides(&graph)[1] >= 2, "wings and tail wings: {:?}", graph.box_center());
+    let fin = graph.box_half_size().iter().position(|half| half.x < 0.02).expect("the fin is a part");
+    assert!(graph.assignment().contains(&(fin as i32)), "the fin has vertices");
     let body = graph.box_half_size()[graph.tree_edges()[0][0] as usize];
     assert!(body.y > 0.9 && body.x < 0.15, "the body is the root: {body}");
 }

@@ -45,7 +45,8 @@ const CLEAR: f64 = 0.3;
 const LEAST_SAVING: f64 = 0.15;
 /// A cut made with less reason must save this share,
 const SOME_SAVING: f64 = 0.16;
-/// and leave this share of the axis on either side.
+/// leave this share of the axis on either side, and be single: to cut what is round into a middle and
+/// two sides helps nobody.
 const SOME_MARGIN: f64 = 0.15;
 
 /// How a piece is cut into slabs for a scan.
@@ -229,7 +230,11 @@ impl Splitter<'_> {
             };
             let worth = match demand {
                 Demand::Clear => ratio <= CLEAR || saving >= LEAST_SAVING,
-                Demand::Some => saving >= SOME_SAVING && profile.margin(at) >= SOME_MARGIN,
+                Demand::Some => {
+                    saving >= SOME_SAVING
+                        && profile.margin(at) >= SOME_MARGIN
+                        && !self.is_doubled(piece, axis)
+                }
             };
             let at = at + piece.tight.low[axis];
             let score = ratio / (length + SCORE_LENGTH);
