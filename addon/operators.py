@@ -20,6 +20,8 @@ class _Running:
     search = None
     stop = False
     undone = False
+    timer = None
+    workspace = ""
 
 
 def running_progress():
@@ -28,15 +30,15 @@ def running_progress():
 
 
 def stop_running():
-    """End a running search and wait for it; for unregister()."""
+    """End a running search, wait for it and take its preview back; for unregister()."""
     search = _Running.search
     if search is None:
         return
-    _Running.search = None
     search.cancel(wait=True)
     obj = search.find_object()
     if obj is not None:
         search.take_back(obj)
+    _clear()
 
 
 class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
@@ -46,9 +48,6 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
     bl_label = "Deform to Prompt"
     # Not REGISTER: "Adjust Last Operation" would search again at each change of a number.
     bl_options = {"UNDO"}
-
-    _timer = None
-    _workspace = ""
 
     def execute(self, context):
         """Search and wait for the end: the way of scripts and of `blender --background`."""
@@ -69,45 +68,45 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             return self._refuse(refusal)
         _Running.stop = _Running.undone = False
         wm = context.window_manager
-        self._timer = wm.event_timer_add(_TICK_SECONDS, window=context.window)
-        self._workspace = context.workspace.name
+        _Running.timer = wm.event_timer_add(_TICK_SECONDS, window=context.window)
+        _Running.workspace = context.workspace.name
         for handlers in _undo_handlers():
             handlers.append(_before_undo)
         wm.modal_handler_add(self)
-        self._show_status(context)
+        _show_status()
         return {"RUNNING_MODAL"}
 
-    def modal(self, context, event):
+    def modal(self, _context, event):
         search = _Running.search
         if search is None:
-            self._clear(context)
+            _clear()
             return {"CANCELLED"}
         if event.value == "PRESS" and (
             event.type == "ESC" or (event.type == "Z" and (event.ctrl or event.oskey))
         ):
-            return self._give_up(context, "Cancelled; the object is as it was")
+            return self._give_up("Cancelled; the object is as it was")
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
         if _Running.undone:
-            return self._give_up(context, "Cancelled by undo")
+            return self._give_up("Cancelled by undo")
         if _Running.stop:
-            return self._give_up(context, "Cancelled; the object is as it was")
-        return self._tick(context, search)
+            return self._give_up("Cancelled; the object is as it was")
+        return self._tick(search)
 
-    def cancel(self, context):
+    def cancel(self, _context):
         """Blender ends the operator itself: another file is loaded, or it quits."""
         search = _Running.search
         if search is not None:
             search.cancel(wait=True)
-        self._clear(context)
+        _clear()
 
-    def _tick(self, context, search):
+    def _tick(self, search):
         ended = search.poll()
-        self._show_status(context)
+        _show_status()
         obj = search.find_object()
         if obj is None:
             name = search.object_name
-            return self._give_up(context, f"Cancelled: “{name}” was deleted or its mesh was changed")
+            return self._give_up(f"Cancelled: “{name}” was deleted or its mesh was changed")
         if obj.mode != "OBJECT":
             return {"PASS_THROUGH"}
         if not ended:
@@ -117,9 +116,9 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             search.keep(obj)
         except Refusal as refusal:
             self._take_back(search)
-            self._clear(context)
+            _clear()
             return self._refuse(refusal)
-        self._clear(context)
+        _clear()
         self.report({"INFO"}, search.summary())
         return {"FINISHED"}
 
@@ -137,7 +136,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             self.report({"WARNING"}, note)
         return search
 
-    def _give_up(self, context, message):
+    def _give_up(self, message):
         search = _Running.search
         search.cancel()
         obj = search.find_object()
@@ -146,7 +145,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             _Running.stop = True
             return {"PASS_THROUGH"}
         self._take_back(search)
-        self._clear(context)
+        _clear()
         self.report({"INFO"}, message)
         return {"CANCELLED"}
 
@@ -159,25 +158,29 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         self.report({"ERROR"}, str(refusal))
         return {"CANCELLED"}
 
-    def _show_status(self, context):
-        text = f"Boxmorph: {progress_text(_Running.search.progress)}   Esc: Cancel"
-        workspace = bpy.data.workspaces.get(self._workspace)
-        if workspace is not None:
-            workspace.status_text_set(text)
-        redraw_panels(context)
 
-    def _clear(self, context):
-        _Running.search = None
-        if self._timer is not None:
-            context.window_manager.event_timer_remove(self._timer)
-            self._timer = None
-        for handlers in _undo_handlers():
-            if _before_undo in handlers:
-                handlers.remove(_before_undo)
-        workspace = bpy.data.workspaces.get(self._workspace)
-        if workspace is not None:
-            workspace.status_text_set(None)
-        redraw_panels(context)
+def _show_status():
+    _set_status(f"Boxmorph: {progress_text(_Running.search.progress)}   Esc: Cancel")
+
+
+def _set_status(text):
+    workspace = bpy.data.workspaces.get(_Running.workspace)
+    if workspace is not None:
+        workspace.status_text_set(text)
+    redraw_panels()
+
+
+def _clear():
+    """Forget the search: its timer, its handlers, its text in the status bar."""
+    _Running.search = None
+    if _Running.timer is not None:
+        if bpy.context.window_manager is not None:
+            bpy.context.window_manager.event_timer_remove(_Running.timer)
+        _Running.timer = None
+    for handlers in _undo_handlers():
+        if _before_undo in handlers:
+            handlers.remove(_before_undo)
+    _set_status(None)
 
 
 class BOXMORPH_OT_cancel(bpy.types.Operator):
@@ -299,7 +302,7 @@ class BOXMORPH_OT_show_views(bpy.types.Operator):
             for area in window.screen.areas:
                 if area.type == "IMAGE_EDITOR" and area.spaces.active.mode == "VIEW":
                     area.spaces.active.image = image
-        redraw_panels(context)
+        redraw_panels()
         return {"FINISHED"}
 
 
@@ -324,9 +327,9 @@ def progress_text(progress):
     return "   ".join(part for part in progress_parts(progress) if part)
 
 
-def redraw_panels(context):
+def redraw_panels():
     """Ask for a redraw of the 3D viewports' sidebars in all windows."""
-    for window in context.window_manager.windows:
+    for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
             if area.type == "VIEW_3D":
                 for region in area.regions:

@@ -101,7 +101,6 @@ class Search:
             raise Refusal("The search ended in coordinates that are not numbers; nothing was changed")
         report = dict(result.report())
         report["object"] = self.object_name
-        report["slider"] = [float(result.slider_min), float(result.slider_max)]
         self.name = self._trial.keep(obj, positions, result.slider_min, result.slider_max, report)
         report["shape_key"] = self.name
         self.result, self.report = result, report
