@@ -8,7 +8,7 @@ WHEEL_SOURCES := Cargo.toml Cargo.lock pyproject.toml $(wildcard guides/mini/*) 
 	$(shell find src python -name '*.rs' -o -name '*.wgsl' -o -name '*.py' -o -name '*.pyi')
 ADDON_SOURCES := scripts/build_extension.py $(shell find addon -type f -not -name '*.pyc')
 
-.PHONY: help tools setup test demo bench extension lint format clean
+.PHONY: help tools setup test demo bench extension guide lint format clean
 
 help: ## list the targets
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -49,6 +49,11 @@ demo: extension ## deform the example objects, results in demo/out/
 
 bench: setup $(VENV)/.test-requirements ## measure field, rendering, encoding and search, as ratios in one run
 	$(BIN)/python benches/bench.py
+
+guide: setup ## train the embedded guide again, from nothing (an hour or more on two cores)
+	test -d training/.venv || $(PYTHON) -m venv training/.venv
+	training/.venv/bin/pip install --quiet -r training/requirements.txt dist/*.whl
+	training/.venv/bin/python training/train.py
 
 lint: setup $(VENV)/.test-requirements ## check formatting, clippy, ruff and, where installed, cargo deny
 	cargo fmt --check

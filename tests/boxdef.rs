@@ -5,7 +5,7 @@ mod common;
 
 use boxmorph::boxdef::{BoxDefError, BoxDefGraph, Parts, Symmetry};
 use boxmorph::mesh::Mesh;
-use common::{Maker, aeroplane, ball, chair, cone, lopsided, plain_box, table, v};
+use common::{Maker, aeroplane, ball, bottle, chair, cone, lamp, lopsided, plain_box, sofa, table, v};
 use glam::Vec3;
 
 fn build(mesh: &Mesh, splits: u32) -> BoxDefGraph {
@@ -63,6 +63,19 @@ fn an_aeroplane_has_wings_apart_from_its_body() {
     assert!(sides(&graph)[1] >= 2, "wings and tail wings: {:?}", graph.box_center());
     let body = graph.box_half_size()[graph.tree_edges()[0][0] as usize];
     assert!(body.y > 0.9 && body.x < 0.15, "the body is the root: {body}");
+}
+
+#[test]
+fn round_and_upholstered_things_have_the_parts_that_one_would_name() {
+    for splits in [2, 5] {
+        let lamp = build(&lamp(), splits);
+        assert_eq!(sides(&lamp), [3, 0, 0], "base, stem and shade: {:?}", lamp.box_half_size());
+    }
+    let bottle = build(&bottle(), 8);
+    assert_eq!(sides(&bottle), [2, 0, 0], "body and neck: {:?}", bottle.box_half_size());
+    let sofa = build(&sofa(), 5);
+    assert_eq!(sides(&sofa), [2, 2, 2], "seat, back, arms, feet: {:?}", sofa.box_half_size());
+    assert!(sofa.box_half_size().iter().any(|half| half.z < 0.07), "the feet are parts of their own");
 }
 
 #[test]

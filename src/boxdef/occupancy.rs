@@ -221,22 +221,67 @@ impl Occupancy {
     }
 }
 
-/// Calls `visit` with points of a triangle, corners included, in rows along its longest edge, `SPACING`
-/// apart at most both ways.
+/// Calls `visit` with points of a triangle: along its edges, and in rows parallel to the longest one,
+/// `SPACING` apart at most. (Rows alone would leave gaps along edges that meet the longest at a small angle.)
 pub(crate) fn sample_triangle([a, b, c]: [DVec3; 3], mut visit: impl FnMut(DVec3)) {
     let lengths = [(b - a).length(), (c - b).length(), (a - c).length()];
     let longest = (0..3).fold(0, |best, i| if lengths[i] > lengths[best] { i } else { best });
     let (start, end, apex) = [(a, b, c), (b, c, a), (c, a, b)][longest];
     let base = lengths[longest];
     let height = if base > 0.0 { (b - a).cross(c - a).length() / base } else { 0.0 };
-    let rows = (height / SPACING).ceil().max(1.0) as usize;
-    for row in 0..=rows {
-        let t = row as f64 / rows as f64;
-        let (from, to) = (start.lerp(apex, t), end.lerp(apex, t));
-        let steps = (base * (1.0 - t) / SPACING).ceil().max(1.0) as usize;
-        let last = if row == rows { 0 } else { steps };
-        for step in 0..=last {
+    let mut line = |from: DVec3, to: DVec3, length: f64| {
+        let steps = (length / SPACING).ceil().max(1.0) as usize;
+        for step in 0..=steps {
             visit(from.lerp(to, step as f64 / steps as f64));
+        }
+    };
+    line(start, apex, lengths[(longest + 2) % 3]);
+    line(end, apex, lengths[(longest + 1) % 3]);
+    let rows = (height / SPACING).ceil().max(1.0) as usize;
+    for row in 0..rows {
+        let t = row as f64 / rows as f64;
+        line(start.lerp(apex, t), end.lerp(apex, t), base * (1.0 - t));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::super::islands::places;
+    use super::*;
+
+    /// A closed cylinder about z, of radius 0.5 and height 1, turned by `turn` about x.
+    fn cylinder(segments: u32, turn: f32) -> Mesh {
+        let rotate = |v: Vec3| glam::Quat::from_rotation_x(turn) * v;
+        let mut vertices = vec![Vec3::ZERO, Vec3::Z];
+        for s in 0..segments {
+            let (sin, cos) = (s as f32 / segments as f32 * std::f32::consts::TAU).sin_cos();
+            vertices.extend([Vec3::new(0.5 * cos, 0.5 * sin, 0.0), Vec3::new(0.5 * cos, 0.5 * sin, 1.0)]);
+        }
+        let at = |s: u32, top: u32| 2 + 2 * (s % segments) + top;
+        let around = (0..segments).flat_map(|s| {
+            let (a, b, c, d) = (at(s, 0), at(s + 1, 0), at(s, 1), at(s + 1, 1));
+            [[a, b, d], [a, d, c], [0, b, a], [1, c, d]]
+        });
+        Mesh::new(vertices.into_iter().map(rotate).collect(), around.collect()).unwrap()
+    }
+
+    fn filled(mesh: &Mesh) -> f64 {
+        let frame = Frame::of_surface(mesh);
+        let vertices = frame.vertices(mesh);
+        let grid = Occupancy::of(mesh, frame, &vertices, &places(&vertices));
+        let cells = grid.filled.iter().filter(|&&filled| filled).count();
+        cells as f64 * (CELL * frame.unit).powi(3)
+    }
+
+    #[test]
+    fn a_closed_cylinder_is_solid_however_it_lies() {
+        for (segments, turn) in [(8, 0.0), (32, 0.0), (32, 0.3), (200, 0.7), (200, 1.2), (1000, 1.570_796_4)]
+        {
+            let volume = f64::from(segments) / 8.0 * (std::f64::consts::TAU / f64::from(segments)).sin();
+            let found = filled(&cylinder(segments, turn));
+            assert!(found > 0.95 * volume && found < 1.1 * volume, "{segments} segments at {turn}: {found}");
         }
     }
 }

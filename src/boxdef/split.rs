@@ -8,7 +8,8 @@
 //!
 //! Where this differs from the authors' program:
 //! - A number of splits is a budget. A cut must follow a step, not a slope: the areas must change clearly
-//!   more than they do between the slabs next to them. A plain box, a sphere or a cone stays whole.
+//!   more than they do between the slabs next to them, or a short slope between two flat stretches; and
+//!   it must be a great step or save volume. A plain box, a sphere or a cone stays whole.
 //! - Empty layers part a box at once, however narrow they are: separate legs are separate parts.
 //! - Both ends are scanned: a thin top at the far end is found as well as one at the near end.
 //! - The cut is moved to the layer, within a slab, where two prisms hold the piece best.
@@ -19,7 +20,8 @@
 use super::occupancy::{CELL, CellBox, Occupancy};
 use super::parts::{MID, POS};
 
-/// Cells to a slab: 0.1 of the frame's unit.
+/// Cells to a slab: 0.1 of the frame's unit, and half of it for what is thinner than that.
+const SLABS: [usize; 2] = [SLAB, SLAB / 2];
 const SLAB: usize = 10;
 /// What reaches through a cut by no more cells than this belongs to the other side.
 const SHAVING: usize = 3;
@@ -33,6 +35,16 @@ const LEAST_ASPECT: f64 = 0.2;
 const LEAST_LENGTH: usize = 12;
 /// A cut is worth it where the change of area beyond the surrounding slope is at least to this share.
 const WORTH: f64 = 0.6;
+/// The same where the last slab is the smaller one.
+const WORTH_AT_END: f64 = 0.4;
+/// Logarithm of a change of area up to which it counts as none.
+const LEVEL: f64 = 0.15;
+/// Slab boundaries that a short slope may take.
+const SHOULDER: usize = 4;
+/// A change of area to this share is worth a cut even if it saves little.
+const CLEAR: f64 = 0.3;
+/// Any other cut must save this share of the volume of a prism around the piece.
+const LEAST_SAVING: f64 = 0.15;
 
 /// A box of cells with what is in it, on its way to a part box.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,20 +99,30 @@ struct Splitter<'a> {
 }
 
 impl Splitter<'_> {
-    /// The best cut of a piece that is worth it.
+    /// The best cut of a piece that is worth it. Thinner slabs are tried where thicker ones find none.
     fn best_cut(&self, piece: &Piece) -> Option<Cut> {
         let occupancy = &*self.occupancy;
         let longest = piece.tight.longest() as f64;
-        let mut cuts = Vec::new();
-        for axis in 0..3 {
-            let profile = Profile::of(occupancy, &piece.tight, axis, self.is_doubled(piece, axis));
-            self.gap_cuts(piece, axis, &profile.layers, &mut cuts);
-            if piece.tight.extent(axis) as f64 > LEAST_ASPECT * longest {
-                for from_high in [false, true] {
-                    self.slab_cuts(piece, axis, from_high, &profile, &mut cuts);
+        let profiles: [Profile; 3] = std::array::from_fn(|axis| {
+            Profile::of(occupancy, &piece.tight, axis, self.is_doubled(piece, axis))
+        });
+        SLABS.into_iter().find_map(|thickness| {
+            let mut cuts = Vec::new();
+            for (axis, profile) in profiles.iter().enumerate() {
+                self.gap_cuts(piece, axis, &profile.layers, &mut cuts);
+                if piece.tight.extent(axis) as f64 > LEAST_ASPECT * longest {
+                    for from_high in [false, true] {
+                        self.slab_cuts(piece, axis, Slabs { thickness, from_high }, profile, &mut cuts);
+                    }
                 }
             }
-        }
+            self.best_of(piece, cuts)
+        })
+    }
+
+    /// The cut with the lowest score once it is weighed by the volume that its pieces' boxes take up, of those
+    /// that leave no scrap. Of equals a double cut is best.
+    fn best_of(&self, piece: &Piece, cuts: Vec<Cut>) -> Option<Cut> {
         let cuts = cuts.into_iter().filter_map(|cut| {
             let children = self.cut(piece, cut);
             let doubled = self.is_doubled(piece, cut.axis);
@@ -152,28 +174,27 @@ impl Splitter<'_> {
         }
     }
 
-    /// Cuts between slabs, where the area steps.
-    fn slab_cuts(&self, piece: &Piece, axis: usize, from_high: bool, profile: &Profile, cuts: &mut Vec<Cut>) {
-        let count = piece.tight.extent(axis) / SLAB;
+    /// Cuts between slabs of some thickness, where the area steps.
+    fn slab_cuts(&self, piece: &Piece, axis: usize, slabs: Slabs, profile: &Profile, cuts: &mut Vec<Cut>) {
+        let Slabs { thickness, from_high } = slabs;
+        let count = piece.tight.extent(axis) / thickness;
         if count < 2 {
             return;
         }
-        let low = if from_high { piece.tight.high[axis] - count * SLAB } else { piece.tight.low[axis] };
-        let areas = self.slab_areas(&piece.tight.with(axis, low, low + count * SLAB), axis);
+        let start = if from_high { piece.tight.extent(axis) - count * thickness } else { 0 };
+        let low = piece.tight.low[axis] + start;
+        let scanned = piece.tight.with(axis, low, low + count * thickness);
+        let areas = self.slab_areas(&scanned, axis, thickness);
+        let changes: Vec<f64> = areas.windows(2).map(|pair| (pair[1] / pair[0]).ln()).collect();
         let length = piece.tight.extent(axis) as f64 * CELL;
-        let change = |i: usize| (areas[i] / areas[i - 1]).ln();
-        for i in 1..count {
-            let here = change(i);
-            // The slope around the cut, as far as it goes the same way.
-            let before = if i > 1 { change(i - 1) * here.signum() } else { 0.0 };
-            let after = if i + 1 < count { change(i + 1) * here.signum() } else { 0.0 };
-            let slope = before.max(after).max(0.0);
-            if slope - here.abs() > WORTH.ln() {
-                continue;
-            }
-            let at = profile.sharpen(low + i * SLAB - piece.tight.low[axis]) + piece.tight.low[axis];
-            if !self.leaves_sliver(piece, axis, at) {
-                cuts.push(Cut { axis, at, score: (-here.abs()).exp() / (length + SCORE_LENGTH) });
+        for i in 0..changes.len() {
+            let Some(step) = step(&changes, i) else { continue };
+            let at = profile.sharpen(start + (i + 1) * thickness);
+            let ratio = (-step).exp();
+            let clear = ratio <= CLEAR || profile.saving(at) >= LEAST_SAVING;
+            let at = at + piece.tight.low[axis];
+            if clear && !self.leaves_sliver(piece, axis, at) {
+                cuts.push(Cut { axis, at, score: ratio / (length + SCORE_LENGTH) });
             }
         }
     }
@@ -240,13 +261,13 @@ impl Splitter<'_> {
     }
 
     /// Projected area of each slab along an axis, in bins.
-    fn slab_areas(&self, cells: &CellBox, axis: usize) -> Vec<f64> {
+    fn slab_areas(&self, cells: &CellBox, axis: usize, thickness: usize) -> Vec<f64> {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         let bins = [cells.extent(u).div_ceil(BIN), cells.extent(v).div_ceil(BIN)];
         let slab_bins = bins[0] * bins[1];
-        let mut seen = vec![false; cells.extent(axis) / SLAB * slab_bins];
+        let mut seen = vec![false; cells.extent(axis) / thickness * slab_bins];
         self.occupancy.for_each_filled(cells, |cell| {
-            let slab = (cell[axis] - cells.low[axis]) / SLAB;
+            let slab = (cell[axis] - cells.low[axis]) / thickness;
             let bin = (cell[u] - cells.low[u]) / BIN * bins[1] + (cell[v] - cells.low[v]) / BIN;
             seen[slab * slab_bins + bin] = true;
         });
@@ -254,6 +275,38 @@ impl Splitter<'_> {
         // An empty slab counts as a thousandth of a bin: far below any other, and still a number.
         seen.chunks(slab_bins).map(|slab| count(slab).max(1e-3)).collect()
     }
+}
+
+/// How a piece is cut into slabs for a scan.
+#[derive(Clone, Copy)]
+struct Slabs {
+    /// In cells.
+    thickness: usize,
+    /// Whether the slabs are counted from the high end; what is left over at the other is not scanned.
+    from_high: bool,
+}
+
+/// The change of area (as a logarithm) at the boundary after slab `i`, if there is a step: either one that
+/// goes clearly beyond the slope on both its sides, or the steepest place of a short slope between two flat
+/// stretches, such as a bottle's shoulder, which counts as a whole.
+fn step(changes: &[f64], i: usize) -> Option<f64> {
+    let here = changes[i].abs();
+    // Changes the same way as here; against it, 0.
+    let along = |k: usize| (changes[k] * changes[i].signum()).max(0.0);
+    let before = if i > 0 { along(i - 1) } else { 0.0 };
+    let after = if i + 1 < changes.len() { along(i + 1) } else { 0.0 };
+    // Whatever is rounded tapers off at its ends.
+    let tapers = (i == 0 && changes[i] > 0.0) || (i + 1 == changes.len() && changes[i] < 0.0);
+    if before.max(after) - here <= if tapers { WORTH_AT_END.ln() } else { WORTH.ln() } {
+        return Some(here);
+    }
+    let first = (0..i).rev().take_while(|&k| along(k) > LEVEL).last().unwrap_or(i);
+    let last = (i + 1..changes.len()).take_while(|&k| along(k) > LEVEL).last().unwrap_or(i);
+    let flat = |k: usize| changes[k].abs() <= LEVEL;
+    let between_flats = first > 0 && flat(first - 1) && last + 1 < changes.len() && flat(last + 1);
+    let steepest = (first..=last).all(|k| along(k) <= here);
+    let whole: f64 = (first..=last).map(along).sum();
+    (between_flats && steepest && last - first < SHOULDER && -whole <= WORTH.ln()).then_some(whole)
 }
 
 /// A piece seen along an axis, layer by layer.
@@ -306,6 +359,12 @@ impl Profile {
         let half = self.layers.len() / 2;
         let at = if self.doubled { at.abs_diff(half) } else { at };
         self.inner[at] * at as u64 + self.outer[at] * (self.outer.len() - 1 - at) as u64
+    }
+
+    /// Share of the volume of the one prism around the piece that two prisms save.
+    fn saving(&self, at: usize) -> f64 {
+        let reach = self.outer.len() - 1;
+        1.0 - self.prisms(at) as f64 / (self.outer[0] * reach as u64) as f64
     }
 
     /// The cut within a slab either way of `at` with the least prisms; of equals the one nearest to `at`.

@@ -197,3 +197,34 @@ pub fn lopsided() -> Maker {
     m.cuboid(v(0.0, 0.1, 0.3), v(0.3, 0.9, 1.8), 6);
     m
 }
+
+/// A desk lamp: a base with its stem, and a shade that is open above and below.
+pub fn lamp() -> Mesh {
+    let mut m = Maker::default();
+    let foot = [(0.0, 0.0), (0.25, 0.0), (0.25, 0.04), (0.03, 0.06), (0.03, 0.4), (0.03, 0.9)];
+    m.lathe(Vec3::ZERO, 32, &foot);
+    m.lathe(Vec3::ZERO, 32, &[(0.3, 0.85), (0.25, 0.95), (0.2, 1.05), (0.15, 1.2)]);
+    m.mesh()
+}
+
+/// A bottle with round shoulders.
+pub fn bottle() -> Mesh {
+    let mut m = Maker::default();
+    let body = [(0.0, 0.0), (0.2, 0.0), (0.2, 0.1), (0.2, 0.3), (0.2, 0.5), (0.17, 0.56), (0.1, 0.62)];
+    let neck = [(0.05, 0.66), (0.05, 0.75), (0.05, 0.85), (0.0, 0.85)];
+    m.lathe(Vec3::ZERO, 32, &[&body[..], &neck[..]].concat());
+    m.mesh()
+}
+
+/// A sofa on short feet.
+pub fn sofa() -> Mesh {
+    let mut half = Maker::default();
+    half.cuboid(v(0.95, -0.4, 0.1), v(1.15, 0.4, 0.7), 3);
+    for y in [-0.35, 0.25] {
+        half.cuboid(v(0.8, y, 0.0), v(0.9, y + 0.1, 0.12), 1);
+    }
+    let mut m = half.mirrored(0);
+    m.cuboid(v(-1.0, -0.4, 0.1), v(1.0, 0.4, 0.45), 4);
+    m.cuboid(v(-1.0, 0.25, 0.45), v(1.0, 0.45, 0.95), 4);
+    m.mesh()
+}

@@ -18,7 +18,7 @@ OBJECTS = [
     ("chair", ["MIRROR"], 2, (0.456, 0.526, 0.851)),
     ("table", [], 2, (1.4, 0.8, 0.75)),
     ("aeroplane", ["MIRROR"], 4, (35.4, 37.8, 10.2)),
-    ("desk_lamp", ["SUBSURF"], 3, (0.18, 0.34, 0.43)),
+    ("desk_lamp", ["SUBSURF"], 3, (0.18, 0.315, 0.43)),
 ]
 NAMES = [name for name, *_ in OBJECTS]
 

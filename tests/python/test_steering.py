@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
+"""The embedded guide steers shapes it was never trained on, and they stay in one piece."""
+
+import boxmorph
+import numpy as np
+import pytest
+from conftest import REFERENCE, reference_mesh
+
+PROMPTS = {
+    "airplane": ["an airship", "a glider plane"],
+    "chair": ["a bar stool", "a sofa"],
+    "table": ["a coffee table", "a nightstand"],
+}
+BACKGROUNDS = np.array([(0, 0, 0), (255, 255, 255), (255, 128, 0)], np.float32)
+
+
+def ranking(guide, vertices, triangles):
+    """The guide's class names, best first, over four views and three backgrounds."""
+    views = boxmorph.render(vertices, triangles, size=guide.image_size, renderer="cpu").astype(np.float32)
+    alpha = views[..., 3:] / 255
+    images = np.concatenate([np.rint(views[..., :3] * alpha + b * (1 - alpha)) for b in BACKGROUNDS])
+    seen = guide.image_embeddings(images.astype(np.uint8)).mean(0)
+    return sorted(guide.classes, key=lambda name: -float(seen @ guide.text_embedding(name)))
+
+
+@pytest.mark.skipif(not REFERENCE.is_dir(), reason="the reference data is not beside the project")
+@pytest.mark.parametrize("which", range(6))
+def test_reference_shapes_become_what_they_are_told(which, reference, guide):
+    shape = reference[which]
+    vertices, triangles = reference_mesh(shape)
+    mesh = boxmorph.Mesh(vertices, triangles)
+    broken = boxmorph.metrics.self_intersection_ratio(mesh, vertices)
+    for prompt in PROMPTS[shape["category"]]:
+        job = boxmorph.Job(mesh, prompt, guide=guide, renderer="cpu")
+        job.start()
+        job.join()
+        outcome = job.result()
+        what = f"{shape['category']} {shape['id'][:6]} to {prompt}"
+        assert outcome.score_after > outcome.score_before, what
+        assert ranking(guide, outcome.vertices, triangles)[0] == prompt, what
+        assert boxmorph.metrics.normal_error(mesh, outcome.vertices) < 0.15, what
+        assert boxmorph.metrics.self_intersection_ratio(mesh, outcome.vertices) <= broken + 0.02, what
