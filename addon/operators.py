@@ -13,6 +13,9 @@ from .search import Search
 
 _TICK_SECONDS = 0.1
 
+#: Events that push no undo step.
+_NAVIGATION = frozenset(("MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "WHEELINMOUSE", "WHEELOUTMOUSE"))
+
 
 class _Running:
     """The one modal search of this Blender, as the panel and the handlers see it."""
@@ -20,6 +23,8 @@ class _Running:
     search = None
     stop = False
     undone = False
+    #: Whether the user did something meanwhile, so that there may be undo steps that hold the preview.
+    touched = False
     timer = None
     workspace = ""
 
@@ -66,7 +71,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             _Running.search = self._begin(context)
         except Refusal as refusal:
             return self._refuse(refusal)
-        _Running.stop = _Running.undone = False
+        _Running.stop = _Running.undone = _Running.touched = False
         wm = context.window_manager
         _Running.timer = wm.event_timer_add(_TICK_SECONDS, window=context.window)
         _Running.workspace = context.workspace.name
@@ -86,6 +91,8 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         ):
             return self._give_up("Cancelled; the object is as it was")
         if event.type != "TIMER":
+            if event.value == "PRESS" and event.type not in _NAVIGATION:
+                _Running.touched = True
             return {"PASS_THROUGH"}
         if _Running.undone:
             return self._give_up("Cancelled by undo")
@@ -115,7 +122,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         try:
             search.keep(obj)
         except Refusal as refusal:
-            self._take_back(search)
+            search.take_back(obj)
             _clear()
             return self._refuse(refusal)
         _clear()
@@ -144,15 +151,12 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             # The edits of this mode are the user's: the preview goes when they leave it.
             _Running.stop = True
             return {"PASS_THROUGH"}
-        self._take_back(search)
+        if obj is not None and search.take_back(obj) and _Running.touched:
+            # Undo of what comes next would else lead to a step that holds the preview.
+            bpy.ops.ed.undo_push(message="Cancel Deform to Prompt")
         _clear()
         self.report({"INFO"}, message)
         return {"CANCELLED"}
-
-    def _take_back(self, search):
-        obj = search.find_object()
-        if obj is not None:
-            search.take_back(obj)
 
     def _refuse(self, refusal):
         self.report({"ERROR"}, str(refusal))

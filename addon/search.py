@@ -106,8 +106,8 @@ class Search:
         self.result, self.report = result, report
 
     def take_back(self, obj):
-        """Restore `obj` as it was before the search."""
-        self._trial.take_back(obj)
+        """Restore `obj` as it was before the search. Returns whether there was anything to restore."""
+        return self._trial.take_back(obj)
 
     def cancel(self, wait=False):
         """Ask the search to stop, which takes a generation at most; with `wait`, stay until it has."""
