@@ -123,7 +123,7 @@ class Trial:
         return self.name
 
     def take_back(self, obj):
-        """Restore the keys of `obj` as they were before the trial. Returns whether there was anything to restore.
+        """Restore the keys of `obj` as they were before the trial; return whether there was something to do.
 
         Calling it again takes back a key that undo has brought again.
         """
