@@ -203,6 +203,13 @@ def interruptions(screen):
 
     select(screen)
     searching()
+    screen.ask("bpy.ops.preferences.addon_disable(module='bl_ext.user_default.boxmorph')")
+    left = screen.ask(f"[keys('{OBJECT}'), modal(), len(bpy.app.handlers.undo_pre)]")
+    report(left == [{}, [], 0], "disabling the extension ends the search and leaves nothing", left)
+    screen.ask("bpy.ops.preferences.addon_enable(module='bl_ext.user_default.boxmorph')")
+
+    select(screen)
+    searching()
     code = screen.quit()
     report(code == 0, "quitting during a search is clean", code)
 
