@@ -17,7 +17,7 @@ from generate import generate
 
 HERE = Path(__file__).parent
 # Each round: batches trained, highest learning rate, searches mined with the guide it leaves.
-ROUNDS = ((1400, 2e-3, 400), (3000, 2e-3, 400), (2500, 1.2e-3, 0))
+ROUNDS = ((1400, 2e-3, 350), (4000, 2e-3, 600), (4500, 1.5e-3, 600), (3600, 1.2e-3, 0))
 
 
 def run(*command):
@@ -49,10 +49,11 @@ def main():
     base = a.out / "base"
     generate(base, max(a.count // a.short, 3000), a.seed)
     folders, weights = [base], [a.out / f"net{n}.pt" for n in range(a.nets)]
+    # The first round only makes something to search with: the second starts from scratch.
     for number, (steps, rate, searches) in enumerate(ROUNDS):
         jobs = []
         for n, path in enumerate(weights):
-            resume = ["--resume", path] if number else []
+            resume = ["--resume", path] if number > 1 else []
             options = [
                 "--steps",
                 max(steps // a.short, 20),

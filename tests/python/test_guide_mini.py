@@ -44,7 +44,7 @@ def on_legs(width, depth, height, thickness, leg, back=0.0, spread=1.0):
     for sx in (-1, 1):
         for sy in (-1, 1):
             at = np.array([sx * (x - leg) * spread, sy * (y - leg) * spread, 0])
-            parts.append(cuboid(at - (leg, leg, 0), at + (leg, leg, height - thickness)))
+            parts.append(cuboid(at - (leg, leg, 0), at + np.array([leg, leg, height - thickness])))
     if back:
         parts.append(cuboid((-x, y - 0.05, height - thickness), (x, y, height + back)))
     return joined(parts)
