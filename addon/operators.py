@@ -13,6 +13,9 @@ from .search import Search
 
 _TICK_SECONDS = 0.1
 
+#: Events that push no undo step.
+_NAVIGATION = frozenset(("MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "WHEELINMOUSE", "WHEELOUTMOUSE"))
+
 
 class _Running:
     """The one modal search of this Blender, as the panel and the handlers see it."""
@@ -20,6 +23,10 @@ class _Running:
     search = None
     stop = False
     undone = False
+    #: Whether the user did something meanwhile, so that there may be undo steps that hold the preview.
+    touched = False
+    timer = None
+    workspace = ""
 
 
 def running_progress():
@@ -28,15 +35,15 @@ def running_progress():
 
 
 def stop_running():
-    """End a running search and wait for it; for unregister()."""
+    """End a running search, wait for it and take its preview back; for unregister()."""
     search = _Running.search
     if search is None:
         return
-    _Running.search = None
     search.cancel(wait=True)
     obj = search.find_object()
     if obj is not None:
         search.take_back(obj)
+    _clear()
 
 
 class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
@@ -46,9 +53,6 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
     bl_label = "Deform to Prompt"
     # Not REGISTER: "Adjust Last Operation" would search again at each change of a number.
     bl_options = {"UNDO"}
-
-    _timer = None
-    _workspace = ""
 
     def execute(self, context):
         """Search and wait for the end: the way of scripts and of `blender --background`."""
@@ -67,47 +71,49 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             _Running.search = self._begin(context)
         except Refusal as refusal:
             return self._refuse(refusal)
-        _Running.stop = _Running.undone = False
+        _Running.stop = _Running.undone = _Running.touched = False
         wm = context.window_manager
-        self._timer = wm.event_timer_add(_TICK_SECONDS, window=context.window)
-        self._workspace = context.workspace.name
+        _Running.timer = wm.event_timer_add(_TICK_SECONDS, window=context.window)
+        _Running.workspace = context.workspace.name
         for handlers in _undo_handlers():
             handlers.append(_before_undo)
         wm.modal_handler_add(self)
-        self._show_status(context)
+        _show_status()
         return {"RUNNING_MODAL"}
 
-    def modal(self, context, event):
+    def modal(self, _context, event):
         search = _Running.search
         if search is None:
-            self._clear(context)
+            _clear()
             return {"CANCELLED"}
         if event.value == "PRESS" and (
             event.type == "ESC" or (event.type == "Z" and (event.ctrl or event.oskey))
         ):
-            return self._give_up(context, "Cancelled; the object is as it was")
+            return self._give_up("Cancelled; the object is as it was")
         if event.type != "TIMER":
+            if event.value == "PRESS" and event.type not in _NAVIGATION:
+                _Running.touched = True
             return {"PASS_THROUGH"}
         if _Running.undone:
-            return self._give_up(context, "Cancelled by undo")
+            return self._give_up("Cancelled by undo")
         if _Running.stop:
-            return self._give_up(context, "Cancelled; the object is as it was")
-        return self._tick(context, search)
+            return self._give_up("Cancelled; the object is as it was")
+        return self._tick(search)
 
-    def cancel(self, context):
+    def cancel(self, _context):
         """Blender ends the operator itself: another file is loaded, or it quits."""
         search = _Running.search
         if search is not None:
             search.cancel(wait=True)
-        self._clear(context)
+        _clear()
 
-    def _tick(self, context, search):
+    def _tick(self, search):
         ended = search.poll()
-        self._show_status(context)
+        _show_status()
         obj = search.find_object()
         if obj is None:
             name = search.object_name
-            return self._give_up(context, f"Cancelled: “{name}” was deleted or its mesh was changed")
+            return self._give_up(f"Cancelled: “{name}” was deleted or its mesh was changed")
         if obj.mode != "OBJECT":
             return {"PASS_THROUGH"}
         if not ended:
@@ -116,10 +122,10 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         try:
             search.keep(obj)
         except Refusal as refusal:
-            self._take_back(search)
-            self._clear(context)
+            search.take_back(obj)
+            _clear()
             return self._refuse(refusal)
-        self._clear(context)
+        _clear()
         self.report({"INFO"}, search.summary())
         return {"FINISHED"}
 
@@ -137,7 +143,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             self.report({"WARNING"}, note)
         return search
 
-    def _give_up(self, context, message):
+    def _give_up(self, message):
         search = _Running.search
         search.cancel()
         obj = search.find_object()
@@ -145,39 +151,40 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             # The edits of this mode are the user's: the preview goes when they leave it.
             _Running.stop = True
             return {"PASS_THROUGH"}
-        self._take_back(search)
-        self._clear(context)
+        if obj is not None and search.take_back(obj) and _Running.touched:
+            # Undo of what comes next would else lead to a step that holds the preview.
+            bpy.ops.ed.undo_push(message="Cancel Deform to Prompt")
+        _clear()
         self.report({"INFO"}, message)
         return {"CANCELLED"}
-
-    def _take_back(self, search):
-        obj = search.find_object()
-        if obj is not None:
-            search.take_back(obj)
 
     def _refuse(self, refusal):
         self.report({"ERROR"}, str(refusal))
         return {"CANCELLED"}
 
-    def _show_status(self, context):
-        text = f"Boxmorph: {progress_text(_Running.search.progress)}   Esc: Cancel"
-        workspace = bpy.data.workspaces.get(self._workspace)
-        if workspace is not None:
-            workspace.status_text_set(text)
-        redraw_panels(context)
 
-    def _clear(self, context):
-        _Running.search = None
-        if self._timer is not None:
-            context.window_manager.event_timer_remove(self._timer)
-            self._timer = None
-        for handlers in _undo_handlers():
-            if _before_undo in handlers:
-                handlers.remove(_before_undo)
-        workspace = bpy.data.workspaces.get(self._workspace)
-        if workspace is not None:
-            workspace.status_text_set(None)
-        redraw_panels(context)
+def _show_status():
+    _set_status(f"Boxmorph: {progress_text(_Running.search.progress)}   Esc: Cancel")
+
+
+def _set_status(text):
+    workspace = bpy.data.workspaces.get(_Running.workspace)
+    if workspace is not None:
+        workspace.status_text_set(text)
+    redraw_panels()
+
+
+def _clear():
+    """Forget the search: its timer, its handlers, its text in the status bar."""
+    _Running.search = None
+    if _Running.timer is not None:
+        if bpy.context.window_manager is not None:
+            bpy.context.window_manager.event_timer_remove(_Running.timer)
+        _Running.timer = None
+    for handlers in _undo_handlers():
+        if _before_undo in handlers:
+            handlers.remove(_before_undo)
+    _set_status(None)
 
 
 class BOXMORPH_OT_cancel(bpy.types.Operator):
@@ -299,7 +306,7 @@ class BOXMORPH_OT_show_views(bpy.types.Operator):
             for area in window.screen.areas:
                 if area.type == "IMAGE_EDITOR" and area.spaces.active.mode == "VIEW":
                     area.spaces.active.image = image
-        redraw_panels(context)
+        redraw_panels()
         return {"FINISHED"}
 
 
@@ -324,9 +331,9 @@ def progress_text(progress):
     return "   ".join(part for part in progress_parts(progress) if part)
 
 
-def redraw_panels(context):
+def redraw_panels():
     """Ask for a redraw of the 3D viewports' sidebars in all windows."""
-    for window in context.window_manager.windows:
+    for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
             if area.type == "VIEW_3D":
                 for region in area.regions:

@@ -101,14 +101,13 @@ class Search:
             raise Refusal("The search ended in coordinates that are not numbers; nothing was changed")
         report = dict(result.report())
         report["object"] = self.object_name
-        report["slider"] = [float(result.slider_min), float(result.slider_max)]
         self.name = self._trial.keep(obj, positions, result.slider_min, result.slider_max, report)
         report["shape_key"] = self.name
         self.result, self.report = result, report
 
     def take_back(self, obj):
-        """Restore `obj` as it was before the search."""
-        self._trial.take_back(obj)
+        """Restore `obj` as it was before the search. Returns whether there was anything to restore."""
+        return self._trial.take_back(obj)
 
     def cancel(self, wait=False):
         """Ask the search to stop, which takes a generation at most; with `wait`, stay until it has."""

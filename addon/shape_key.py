@@ -83,6 +83,7 @@ class Trial:
         self.previous = None
         self.others = {}
         self.name = None
+        self._restored = False
         self._wanted = key_name(prompt)
         if keys is None:
             return
@@ -122,14 +123,17 @@ class Trial:
         return self.name
 
     def take_back(self, obj):
-        """Restore the keys of `obj` as they were before the trial, once; the trial is over then."""
+        """Restore the keys of `obj` as they were before the trial; return whether there was something to do.
+
+        Calling it again takes back a key that undo has brought again.
+        """
         keys = obj.data.shape_keys
         key = self._key(obj)
-        self.name = None
-        if key is None:
-            return
+        if key is None or self._restored:
+            return False
         if self.previous is not None:
             self.previous.restore(key)
+            self._restored = True
         elif not self.had_keys and len(keys.key_blocks) == 2:
             obj.shape_key_clear()
         else:
@@ -142,6 +146,7 @@ class Trial:
         obj.active_shape_key_index = self.active
         obj.show_only_shape_key = self.pinned
         obj.data.update()
+        return True
 
     def _key(self, obj):
         keys = obj.data.shape_keys

@@ -14,6 +14,10 @@ use super::symmetry::MirrorMap;
 /// so that a leg that is let into a seat is not sliced.
 const WHOLE: f64 = 0.8;
 
+/// But not if another box would lose more than this share of the surface in its space: a fin that is of one
+/// piece with its fuselage is no less a part.
+const GUEST: f64 = 0.5;
+
 /// The owner of every vertex: the nearest box, the first of several (a vertex inside a box is at distance
 /// 0); but loose parts (`islands` numbers them) that lie mostly in one box's space go to it whole, and mirror images to twins.
 pub(crate) fn assign(
@@ -63,35 +67,30 @@ fn keep_islands_whole(
     if count < 2 {
         return;
     }
-    // Only islands whose vertices went to several boxes need a closer look.
-    let mut first = vec![None; count];
-    let mut sliced = vec![false; count];
-    for (&island, &owner) in islands.iter().zip(owners.iter()) {
-        let seen = first[island as usize].get_or_insert(owner);
-        sliced[island as usize] |= *seen != owner;
-    }
     let mut samples = vec![0_u32; count * boxes.len()];
     for triangle in mesh.triangles() {
         let island = islands[triangle[0] as usize] as usize;
-        if sliced[island] {
-            sample_triangle(triangle.map(|i| vertices[i as usize]), |point| {
-                let cell = occupancy.cell_of(point);
-                if let Some(part) = boxes.iter().position(|part| part.domain.contains(cell)) {
-                    samples[island * boxes.len() + part] += 1;
-                }
-            });
-        }
+        sample_triangle(triangle.map(|i| vertices[i as usize]), |point| {
+            let cell = occupancy.cell_of(point);
+            if let Some(part) = boxes.iter().position(|part| part.domain.contains(cell)) {
+                samples[island * boxes.len() + part] += 1;
+            }
+        });
     }
-    let whole: Vec<Option<i32>> = samples
-        .chunks(boxes.len())
-        .map(|counts| {
-            let all: u32 = counts.iter().sum();
-            let part = counts.iter().position(|&c| f64::from(c) >= WHOLE * f64::from(all.max(1)))?;
-            Some(part as i32)
-        })
-        .collect();
+    let mut totals = vec![0_u32; boxes.len()];
+    for (i, &count) in samples.iter().enumerate() {
+        totals[i % boxes.len()] += count;
+    }
+    let share = |count: u32, all: u32| f64::from(count) / f64::from(all.max(1));
+    let whole = |counts: &[u32]| {
+        let all: u32 = counts.iter().sum();
+        let part = counts.iter().position(|&count| share(count, all) >= WHOLE)?;
+        let robs = (0..boxes.len()).any(|b| b != part && share(counts[b], totals[b]) > GUEST);
+        (!robs).then_some(part as i32)
+    };
+    let whole: Vec<Option<i32>> = samples.chunks(boxes.len()).map(whole).collect();
     for (owner, &island) in owners.iter_mut().zip(islands) {
-        if let (true, Some(part)) = (sliced[island as usize], whole[island as usize]) {
+        if let Some(part) = whole[island as usize] {
             *owner = part;
         }
     }

@@ -13,6 +13,7 @@ mod nearest;
 mod occupancy;
 mod openings;
 mod parts;
+mod profile;
 mod propagate;
 mod split;
 mod symmetry;

@@ -7,9 +7,10 @@
 //! distances, into a mid box and a pos box; the neg box is the pos box's mirror image.
 //!
 //! Where this differs from the authors' program:
-//! - A number of splits is a budget. A cut must follow a step, not a slope: the areas must change clearly
+//! - A number of splits is a budget. A clear cut must follow a step, not a slope: the areas must change clearly
 //!   more than they do between the slabs next to them, or a short slope between two flat stretches; and
 //!   it must be a great step or save volume. A plain box, a sphere or a cone stays whole.
+//!   Only where there was a clear cut are the first four used up, with less reason if need be.
 //! - Empty layers part a box at once, however narrow they are: separate legs are separate parts.
 //! - Both ends are scanned: a thin top at the far end is found as well as one at the near end.
 //! - The cut is moved to the layer, within a slab, where two prisms hold the piece best.
@@ -19,32 +20,54 @@
 
 use super::occupancy::{CELL, CellBox, Occupancy};
 use super::parts::{MID, POS};
+use super::profile::{Profile, step};
 
-/// Cells to a slab: 0.1 of the frame's unit, and half of it for what is thinner than that.
-const SLABS: [usize; 2] = [SLAB, SLAB / 2];
+/// Cells to a slab: 0.1 of the frame's unit.
 const SLAB: usize = 10;
+/// Thickness of slabs and edge of the bins of their area, in cells: the authors' first, then finer ones for
+/// what is thinner than that.
+const SLABS: [(usize, usize); 2] = [(SLAB, 4), (SLAB / 2, 1)];
 /// What reaches through a cut by no more cells than this belongs to the other side.
 const SHAVING: usize = 3;
-/// Cells to a bin of the projected area: 0.04 of the frame's unit.
-const BIN: usize = 4;
+/// A double cut nearer to the plane than this many cells leaves nothing of use between.
+const SLIVER: usize = 2;
+/// Number of cuts that are made with less reason, once there is a clear one.
+const GENEROUS: u32 = 4;
 /// Added to an axis' length in the score, so that short axes do not score without limit.
 const SCORE_LENGTH: f64 = 0.03;
 /// An axis shorter than this share of the longest is not scanned.
 const LEAST_ASPECT: f64 = 0.2;
 /// The longest side of a piece must have this many cells.
 const LEAST_LENGTH: usize = 12;
-/// A cut is worth it where the change of area beyond the surrounding slope is at least to this share.
-const WORTH: f64 = 0.6;
-/// The same where the last slab is the smaller one.
-const WORTH_AT_END: f64 = 0.4;
-/// Logarithm of a change of area up to which it counts as none.
-const LEVEL: f64 = 0.15;
-/// Slab boundaries that a short slope may take.
-const SHOULDER: usize = 4;
 /// A change of area to this share is worth a cut even if it saves little.
 const CLEAR: f64 = 0.3;
 /// Any other cut must save this share of the volume of a prism around the piece.
 const LEAST_SAVING: f64 = 0.15;
+/// A cut made with less reason must save this share,
+const SOME_SAVING: f64 = 0.16;
+/// leave this share of the axis on either side, and be single: to cut what is round into a middle and
+/// two sides helps nobody.
+const SOME_MARGIN: f64 = 0.15;
+
+/// How a piece is cut into slabs for a scan.
+#[derive(Clone, Copy)]
+struct Slabs {
+    /// In cells.
+    thickness: usize,
+    /// Edge of the bins that the area is counted in.
+    bin: usize,
+    /// Whether the slabs are counted from the high end; what is left over at the other is not scanned.
+    from_high: bool,
+}
+
+/// What is demanded of a cut between slabs.
+#[derive(Debug, Clone, Copy)]
+enum Demand {
+    /// A clear step.
+    Clear,
+    /// Some change.
+    Some,
+}
 
 /// A box of cells with what is in it, on its way to a part box.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,13 +96,19 @@ pub(crate) fn split(occupancy: &mut Occupancy, splits: u32, axis: Option<usize>)
     let tight = occupancy.tighten(&whole).unwrap_or(whole);
     let mut splitter = Splitter { occupancy, symmetry: axis };
     let first = Piece { side: MID, domain: whole, tight };
-    let mut pieces = vec![(first, splitter.best_cut(&first))];
-    for _ in 0..splits {
+    let mut pieces = vec![(first, splitter.best_cut(&first, Demand::Clear))];
+    for done in 0..splits {
+        if lowest(&pieces).is_none() && (1..GENEROUS).contains(&done) {
+            // The object has parts, so the first few cuts are used up, if with less reason.
+            for (piece, cut) in &mut pieces {
+                *cut = splitter.best_cut(piece, Demand::Some);
+            }
+        }
         let Some((index, cut)) = lowest(&pieces) else { break };
         let (piece, _) = pieces.remove(index);
         splitter.shave(&piece, cut);
         for child in splitter.cut(&piece, cut) {
-            pieces.push((child, splitter.best_cut(&child)));
+            pieces.push((child, splitter.best_cut(&child, Demand::Clear)));
         }
     }
     let mut pieces: Vec<Piece> = pieces.into_iter().map(|(piece, _)| piece).collect();
@@ -100,19 +129,20 @@ struct Splitter<'a> {
 
 impl Splitter<'_> {
     /// The best cut of a piece that is worth it. Thinner slabs are tried where thicker ones find none.
-    fn best_cut(&self, piece: &Piece) -> Option<Cut> {
+    fn best_cut(&self, piece: &Piece, demand: Demand) -> Option<Cut> {
         let occupancy = &*self.occupancy;
         let longest = piece.tight.longest() as f64;
         let profiles: [Profile; 3] = std::array::from_fn(|axis| {
             Profile::of(occupancy, &piece.tight, axis, self.is_doubled(piece, axis))
         });
-        SLABS.into_iter().find_map(|thickness| {
+        SLABS.into_iter().find_map(|(thickness, bin)| {
             let mut cuts = Vec::new();
             for (axis, profile) in profiles.iter().enumerate() {
                 self.gap_cuts(piece, axis, &profile.layers, &mut cuts);
                 if piece.tight.extent(axis) as f64 > LEAST_ASPECT * longest {
                     for from_high in [false, true] {
-                        self.slab_cuts(piece, axis, Slabs { thickness, from_high }, profile, &mut cuts);
+                        let slabs = Slabs { thickness, bin, from_high };
+                        cuts.extend(self.slab_cuts(piece, axis, slabs, profile, demand));
                     }
                 }
             }
@@ -174,35 +204,49 @@ impl Splitter<'_> {
         }
     }
 
-    /// Cuts between slabs of some thickness, where the area steps.
-    fn slab_cuts(&self, piece: &Piece, axis: usize, slabs: Slabs, profile: &Profile, cuts: &mut Vec<Cut>) {
-        let Slabs { thickness, from_high } = slabs;
-        let count = piece.tight.extent(axis) / thickness;
-        if count < 2 {
-            return;
-        }
-        let start = if from_high { piece.tight.extent(axis) - count * thickness } else { 0 };
+    /// Cuts between slabs of some thickness, where the area changes as is demanded.
+    fn slab_cuts(
+        &self,
+        piece: &Piece,
+        axis: usize,
+        Slabs { thickness, bin, from_high }: Slabs,
+        profile: &Profile,
+        demand: Demand,
+    ) -> Vec<Cut> {
+        let extent = piece.tight.extent(axis);
+        let count = extent / thickness;
+        let start = if from_high { extent - count * thickness } else { 0 };
         let low = piece.tight.low[axis] + start;
         let scanned = piece.tight.with(axis, low, low + count * thickness);
-        let areas = self.slab_areas(&scanned, axis, thickness);
+        let areas = self.slab_areas(&scanned, axis, thickness, bin);
         let changes: Vec<f64> = areas.windows(2).map(|pair| (pair[1] / pair[0]).ln()).collect();
-        let length = piece.tight.extent(axis) as f64 * CELL;
-        for i in 0..changes.len() {
-            let Some(step) = step(&changes, i) else { continue };
-            let at = profile.sharpen(start + (i + 1) * thickness);
-            let ratio = (-step).exp();
-            let clear = ratio <= CLEAR || profile.saving(at) >= LEAST_SAVING;
+        let length = extent as f64 * CELL;
+        let cut = |i: usize| {
+            let at = profile.sharpen(start + (i + 1) * thickness, SLAB);
+            let saving = profile.saving(at);
+            let ratio = match demand {
+                Demand::Clear => (-step(&changes, i)?).exp(),
+                Demand::Some => (-changes[i].abs()).exp(),
+            };
+            let worth = match demand {
+                Demand::Clear => ratio <= CLEAR || saving >= LEAST_SAVING,
+                Demand::Some => {
+                    saving >= SOME_SAVING
+                        && profile.margin(at) >= SOME_MARGIN
+                        && !self.is_doubled(piece, axis)
+                }
+            };
             let at = at + piece.tight.low[axis];
-            if clear && !self.leaves_sliver(piece, axis, at) {
-                cuts.push(Cut { axis, at, score: ratio / (length + SCORE_LENGTH) });
-            }
-        }
+            let score = ratio / (length + SCORE_LENGTH);
+            (worth && !self.leaves_sliver(piece, axis, at)).then_some(Cut { axis, at, score })
+        };
+        (0..changes.len()).filter_map(cut).collect()
     }
 
     /// Whether a double cut would leave next to nothing between its two planes.
     fn leaves_sliver(&self, piece: &Piece, axis: usize, at: usize) -> bool {
         let middle = self.occupancy.size()[axis] / 2;
-        self.is_doubled(piece, axis) && at.abs_diff(middle) < BIN / 2
+        self.is_doubled(piece, axis) && at.abs_diff(middle) < SLIVER
     }
 
     /// Whether a piece is cut at both sides of the plane at once.
@@ -261,115 +305,18 @@ impl Splitter<'_> {
     }
 
     /// Projected area of each slab along an axis, in bins.
-    fn slab_areas(&self, cells: &CellBox, axis: usize, thickness: usize) -> Vec<f64> {
+    fn slab_areas(&self, cells: &CellBox, axis: usize, thickness: usize, bin: usize) -> Vec<f64> {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-        let bins = [cells.extent(u).div_ceil(BIN), cells.extent(v).div_ceil(BIN)];
+        let bins = [cells.extent(u).div_ceil(bin), cells.extent(v).div_ceil(bin)];
         let slab_bins = bins[0] * bins[1];
         let mut seen = vec![false; cells.extent(axis) / thickness * slab_bins];
         self.occupancy.for_each_filled(cells, |cell| {
             let slab = (cell[axis] - cells.low[axis]) / thickness;
-            let bin = (cell[u] - cells.low[u]) / BIN * bins[1] + (cell[v] - cells.low[v]) / BIN;
-            seen[slab * slab_bins + bin] = true;
+            let column = (cell[u] - cells.low[u]) / bin * bins[1] + (cell[v] - cells.low[v]) / bin;
+            seen[slab * slab_bins + column] = true;
         });
         let count = |slab: &[bool]| slab.iter().filter(|&&s| s).count() as f64;
         // An empty slab counts as a thousandth of a bin: far below any other, and still a number.
         seen.chunks(slab_bins).map(|slab| count(slab).max(1e-3)).collect()
-    }
-}
-
-/// How a piece is cut into slabs for a scan.
-#[derive(Clone, Copy)]
-struct Slabs {
-    /// In cells.
-    thickness: usize,
-    /// Whether the slabs are counted from the high end; what is left over at the other is not scanned.
-    from_high: bool,
-}
-
-/// The change of area (as a logarithm) at the boundary after slab `i`, if there is a step: either one that
-/// goes clearly beyond the slope on both its sides, or the steepest place of a short slope between two flat
-/// stretches, such as a bottle's shoulder, which counts as a whole.
-fn step(changes: &[f64], i: usize) -> Option<f64> {
-    let here = changes[i].abs();
-    // Changes the same way as here; against it, 0.
-    let along = |k: usize| (changes[k] * changes[i].signum()).max(0.0);
-    let before = if i > 0 { along(i - 1) } else { 0.0 };
-    let after = if i + 1 < changes.len() { along(i + 1) } else { 0.0 };
-    // Whatever is rounded tapers off at its ends.
-    let tapers = (i == 0 && changes[i] > 0.0) || (i + 1 == changes.len() && changes[i] < 0.0);
-    if before.max(after) - here <= if tapers { WORTH_AT_END.ln() } else { WORTH.ln() } {
-        return Some(here);
-    }
-    let first = (0..i).rev().take_while(|&k| along(k) > LEVEL).last().unwrap_or(i);
-    let last = (i + 1..changes.len()).take_while(|&k| along(k) > LEVEL).last().unwrap_or(i);
-    let flat = |k: usize| changes[k].abs() <= LEVEL;
-    let between_flats = first > 0 && flat(first - 1) && last + 1 < changes.len() && flat(last + 1);
-    let steepest = (first..=last).all(|k| along(k) <= here);
-    let whole: f64 = (first..=last).map(along).sum();
-    (between_flats && steepest && last - first < SHOULDER && -whole <= WORTH.ln()).then_some(whole)
-}
-
-/// A piece seen along an axis, layer by layer.
-struct Profile {
-    /// Number of filled cells of each layer.
-    layers: Vec<u32>,
-    /// Whether the piece is cut on both sides of its middle at once.
-    doubled: bool,
-    /// Area seen of the layers below each layer; where doubled, of those nearer to the middle.
-    inner: Vec<u64>,
-    /// Area seen of each layer and those above; where doubled, of those farther from the middle.
-    outer: Vec<u64>,
-}
-
-impl Profile {
-    fn of(occupancy: &Occupancy, cells: &CellBox, axis: usize, doubled: bool) -> Self {
-        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-        let count = cells.extent(axis);
-        let half = count / 2;
-        // A doubled piece is symmetric, so its number of layers is even.
-        let (reach, fold): (usize, &dyn Fn(usize) -> usize) = if doubled {
-            (half, &|layer| if layer < half { half - 1 - layer } else { layer - half })
-        } else {
-            (count, &|layer| layer)
-        };
-        let mut layers = vec![0; count];
-        // First and last filled layer of each column along the axis.
-        let mut columns = vec![(usize::MAX, 0); cells.extent(u) * cells.extent(v)];
-        occupancy.for_each_filled(cells, |cell| {
-            let layer = cell[axis] - cells.low[axis];
-            layers[layer] += 1;
-            let column = &mut columns[(cell[u] - cells.low[u]) * cells.extent(v) + cell[v] - cells.low[v]];
-            let folded = fold(layer).min(reach - 1);
-            *column = (column.0.min(folded), column.1.max(folded));
-        });
-        let (mut inner, mut outer) = (vec![0; reach + 1], vec![0; reach + 1]);
-        for &(first, last) in columns.iter().filter(|column| column.0 != usize::MAX) {
-            inner[first + 1] += 1;
-            outer[last] += 1;
-        }
-        for layer in 0..reach {
-            inner[layer + 1] += inner[layer];
-            outer[reach - 1 - layer] += outer[reach - layer];
-        }
-        Self { layers, doubled, inner, outer }
-    }
-
-    /// Volume of the prisms, each with the outline of its side of a cut, that hold the piece.
-    fn prisms(&self, at: usize) -> u64 {
-        let half = self.layers.len() / 2;
-        let at = if self.doubled { at.abs_diff(half) } else { at };
-        self.inner[at] * at as u64 + self.outer[at] * (self.outer.len() - 1 - at) as u64
-    }
-
-    /// Share of the volume of the one prism around the piece that two prisms save.
-    fn saving(&self, at: usize) -> f64 {
-        let reach = self.outer.len() - 1;
-        1.0 - self.prisms(at) as f64 / (self.outer[0] * reach as u64) as f64
-    }
-
-    /// The cut within a slab either way of `at` with the least prisms; of equals the one nearest to `at`.
-    fn sharpen(&self, at: usize) -> usize {
-        let candidates = (at + 1).saturating_sub(SLAB).max(1)..(at + SLAB).min(self.layers.len());
-        candidates.min_by_key(|&k| (self.prisms(k), k.abs_diff(at))).unwrap_or(at)
     }
 }

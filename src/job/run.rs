@@ -84,8 +84,15 @@ fn search_stage(
     generations_before: usize,
     winner: Option<&Finalist>,
 ) -> Result<Finalist, JobError> {
-    let mut objective =
-        Objective::new(&spec.mesh, stage.field.clone(), &spec.guide, prompt, spec.backend, views)?;
+    let mut objective = Objective::new(
+        &spec.mesh,
+        stage.field.clone(),
+        &spec.guide,
+        prompt,
+        spec.backend,
+        views,
+        spec.preset.effort_weight,
+    )?;
     let unchanged = vec![Vec3::ONE; stage.graph.parameter_rows()];
     let before = objective.evaluate(std::slice::from_ref(&unchanged), ImagePlan::All)?[0];
     spent.evaluations += 1;
@@ -150,7 +157,7 @@ fn outcome(spec: &JobSpec, harness: &Harness, winner: Finalist, spent: Spent) ->
         parameter_rows: graph.parameter_rows(),
         score_before: before.score,
         score_after: after.score,
-        normal_error: (after.loss + after.score) / search::NORMAL_WEIGHT,
+        normal_error: after.normal_error,
         generations: spent.generations,
         evaluations: spent.evaluations,
         images_encoded: spent.images,

@@ -12,5 +12,5 @@ pub use cmaes::{Bounds, CmaEs, CmaEsOptions, SearchError, StopReason};
 pub use footing::Footing;
 pub use gauge::{Gauge, KeepPlace, KeepSize};
 pub use objective::{Evaluation, Objective, ObjectiveError};
-pub use preset::{ImagePlan, NORMAL_WEIGHT, Preset};
+pub use preset::{ImagePlan, Preset};
 pub use run::{Found, Generation, search};

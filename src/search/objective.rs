@@ -29,7 +29,9 @@ pub enum ObjectiveError {
 pub struct Evaluation {
     /// Mean cosine between its images and the prompt; higher is better.
     pub score: f64,
-    /// `−score + 0.25 · normal error`; lower is better.
+    /// Mean of 1 − cos between vertex normals before and after (paper §3.1).
+    pub normal_error: f64,
+    /// `−score + 0.25 · normal error + weight · effort`; lower is better.
     pub loss: f64,
 }
 
@@ -40,6 +42,7 @@ pub struct Objective<'a> {
     guide: &'a Guide,
     prompt: &'a [f32],
     renderer: Box<dyn Renderer>,
+    effort_weight: f64,
     rest_normals: Vec<Vec3>,
     rgba: Vec<u8>,
     rgb: Vec<u8>,
@@ -47,7 +50,8 @@ pub struct Objective<'a> {
 }
 
 impl<'a> Objective<'a> {
-    /// Opens a renderer for the field. `prompt` is the guide's unit embedding of the prompt.
+    /// Opens a renderer for the field. `prompt` is the guide's unit embedding of the prompt; the weight is
+    /// that of the effort in the loss, 0 for the paper's own.
     pub fn new(
         mesh: &'a Mesh,
         field: Arc<DeformField>,
@@ -55,6 +59,7 @@ impl<'a> Objective<'a> {
         prompt: &'a [f32],
         backend: Backend,
         views: &[View],
+        effort_weight: f64,
     ) -> Result<Self, ObjectiveError> {
         let triangles = mesh.triangles().into();
         let renderer = render::open(backend, field.clone(), triangles, views, guide.image_size())?;
@@ -65,6 +70,7 @@ impl<'a> Objective<'a> {
             guide,
             prompt,
             renderer,
+            effort_weight,
             rest_normals,
             rgba: Vec::new(),
             rgb: Vec::new(),
@@ -105,12 +111,14 @@ impl<'a> Objective<'a> {
         let errors: Vec<f64> =
             candidates.par_iter().map(|scales| normal_error(mesh, field, rest, scales)).collect();
         let per_candidate = pairs.len() * self.prompt.len();
-        Ok(embeddings
-            .chunks_exact(per_candidate)
+        let weight = self.effort_weight;
+        let scores = embeddings.chunks_exact(per_candidate).map(|images| mean_cosine(images, self.prompt));
+        Ok(scores
             .zip(errors)
-            .map(|(embeddings, error)| {
-                let score = mean_cosine(embeddings, self.prompt);
-                Evaluation { score, loss: NORMAL_WEIGHT * error - score }
+            .zip(candidates)
+            .map(|((score, normal_error), scales)| {
+                let loss = NORMAL_WEIGHT * normal_error + weight * effort(scales) - score;
+                Evaluation { score, normal_error, loss }
             })
             .collect())
     }
@@ -141,6 +149,15 @@ fn normal_error(mesh: &Mesh, field: &DeformField, rest_normals: &[Vec3], scales:
     let total: f64 =
         normals.iter().zip(rest_normals).filter(|(_, b)| b.is_finite()).map(|n| 1.0 - cosine(n)).sum();
     total / normals.len() as f64
+}
+
+/// Variance of the logarithms of the scale factors: how unevenly the parts were scaled. What the score does
+/// not ask for stays as it was; scaling everything alike costs nothing.
+fn effort(scales: &[Vec3]) -> f64 {
+    let logs = || scales.iter().flat_map(|c| c.to_array()).map(|c| f64::from(c).ln());
+    let count = logs().count() as f64;
+    let mean = logs().sum::<f64>() / count;
+    logs().map(|log| (log - mean).powi(2)).sum::<f64>() / count
 }
 
 /// Mean cosine between unit embeddings (`k × d`) and one unit embedding (`d`).

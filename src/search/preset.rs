@@ -49,6 +49,8 @@ pub struct Preset {
     pub tol_fun: f64,
     /// Images that score a candidate during the search.
     pub images: ImagePlan,
+    /// Weight, in the loss, of scaling the parts unevenly.
+    pub effort_weight: f64,
     /// Whether parts that stand on the floor together stay so ([`super::Footing`]).
     pub footing: bool,
 }
@@ -63,6 +65,7 @@ impl Preset {
         max_generations: 80,
         tol_fun: 1e-4,
         images: ImagePlan::All,
+        effort_weight: 0.0,
         footing: false,
     };
 
@@ -75,6 +78,7 @@ impl Preset {
         max_generations: 24,
         tol_fun: 1e-4,
         images: ImagePlan::InTurn,
+        effort_weight: 0.05,
         footing: true,
     };
 

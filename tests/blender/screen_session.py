@@ -19,10 +19,8 @@ OBJECT = "Plain Chair"
 
 
 def report(holds, what, detail=""):
-    print(
-        f"{'pass' if holds else 'FAIL'}  {what}" + (f" ({detail})" if detail and not holds else ""),
-        flush=True,
-    )
+    why = "" if holds or not detail else " (" + " | ".join(str(detail).splitlines()) + ")"
+    print(f"{'pass' if holds else 'FAIL'}  {what}{why}", flush=True)
 
 
 def open_sidebar(screen):
@@ -200,6 +198,15 @@ def interruptions(screen):
     screen.ask("bpy.ops.wm.revert_mainfile()")
     screen.wait(lambda: "BOXMORPH_OT_deform" not in screen.ask("modal()"), 60, "the end after loading")
     report(screen.ask(f"keys('{OBJECT}')") == {}, "loading a file ends the search")
+
+    select(screen)
+    searching()
+    screen.ask("bpy.ops.preferences.addon_disable(module='bl_ext.user_default.boxmorph')")
+    left = screen.ask(f"[keys('{OBJECT}'), len(bpy.app.handlers.undo_pre)]")
+    report(left == [{}, 0], "disabling the extension ends the search and leaves nothing", left)
+    # Blender drops the operator of an unregistered class at its next event.
+    screen.move(*middle)
+    screen.ask("bpy.ops.preferences.addon_enable(module='bl_ext.user_default.boxmorph')")
 
     select(screen)
     searching()

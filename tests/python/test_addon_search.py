@@ -31,7 +31,8 @@ def test_cancel_takes_back_the_preview():
     search = started(obj)
     assert obj.data.shape_keys.key_blocks["a bar stool"].value == 1.0
     search.cancel(wait=True)
-    search.take_back(search.find_object())
+    assert search.take_back(search.find_object())
+    assert not search.take_back(search.find_object())
     assert obj.data.shape_keys is None
     assert (blender.fingerprint(obj), blender.key_state(obj)) == before
     assert not bpy.data.shape_keys
