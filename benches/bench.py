@@ -29,7 +29,9 @@ def grid_chair(vertices_wanted):
                 unit = np.insert(np.stack([u, v], 1), axis, end, axis=1)
                 triangles.append(face + sum(map(len, vertices)))
                 vertices.append(np.array(low) + unit * (np.array(high) - np.array(low)))
-    return np.concatenate(vertices).astype(np.float32), np.ascontiguousarray(np.concatenate(triangles), np.int32)
+    return np.concatenate(vertices).astype(np.float32), np.ascontiguousarray(
+        np.concatenate(triangles), np.int32
+    )
 
 
 def best_of(rounds, work):
@@ -51,7 +53,7 @@ def memory_bandwidth():
 
 
 def onnx_runtime_rate(images):
-    """Images a second of the bare ONNX Runtime on the embedded vision network; None where it is not installed."""
+    """Images a second of the bare ONNX Runtime on the embedded vision network; None without it."""
     try:
         import onnxruntime
     except ImportError:
@@ -83,8 +85,12 @@ def measure(rounds):
     rows.append(("one deformation", f"{1e3 * seconds:.2f} ms", what, f"{seconds / bound:.1f} ×"))
 
     for size in (guide.image_size, 224):
-        seconds = best_of(rounds, lambda size=size: boxmorph.render(vertices, triangles, size=size, renderer="cpu"))
-        rows.append((f"four views of {size} pixels", f"{1e3 * seconds:.1f} ms", "one candidate alone, CPU", ""))
+        seconds = best_of(
+            rounds, lambda size=size: boxmorph.render(vertices, triangles, size=size, renderer="cpu")
+        )
+        rows.append(
+            (f"four views of {size} pixels", f"{1e3 * seconds:.1f} ms", "one candidate alone, CPU", "")
+        )
 
     images = np.random.default_rng(0).integers(0, 256, (432, guide.image_size, guide.image_size, 3), np.uint8)
     rate = len(images) / best_of(rounds, lambda: guide.image_embeddings(images))
@@ -98,7 +104,9 @@ def measure(rounds):
         job.join()
         result = job.result()
         candidates = result.evaluations / result.seconds
-        what = f"{result.evaluations} candidates, {result.images_encoded} images; {candidates:.0f} candidates/s"
+        what = (
+            f"{result.evaluations} candidates, {result.images_encoded} images; {candidates:.0f} candidates/s"
+        )
         rows.append((f"whole job, “{prompt}”", f"{result.seconds:.1f} s", what, ""))
     return rows
 
@@ -110,7 +118,9 @@ def main():
     parser.add_argument("--markdown", help="write the table to this file as well")
     arguments = parser.parse_args()
     rows = measure(arguments.rounds)
-    machine = f"{platform.machine()}, {os.cpu_count()} cores, {platform.system()}, boxmorph {boxmorph.__version__}"
+    machine = (
+        f"{platform.machine()}, {os.cpu_count()} cores, {platform.system()}, boxmorph {boxmorph.__version__}"
+    )
     lines = [f"Machine: {machine}", "", "| stage | figure | beside | ratio |", "|---|---|---|---|"]
     lines += ["| " + " | ".join(row) + " |" for row in rows]
     print("\n".join(lines))

@@ -27,7 +27,7 @@ class Tally:
         self.left_out: list[str] = []
 
     def run(self, title: str, command: list[str], **options) -> None:
-        """Runs a test runner, shows its output and adds its counts; a runner that dies counts as a failure."""
+        """Runs a test runner, shows its output, adds its counts; one that dies counts as a failure."""
         print(f"\n== {title}", flush=True)
         process = subprocess.Popen(
             command, cwd=ROOT, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options
@@ -60,7 +60,10 @@ def bpy_python(version: str, packages: list[str]) -> pathlib.Path | None:
         wanted = [*packages, "numpy==1.26.4", "pytest==9.2.0"]
         base = os.environ.get("PYTHON", "python3.11")
         made = subprocess.run([base, "-m", "venv", str(folder)], check=False).returncode == 0
-        if not made or subprocess.run([python, "-m", "pip", "install", "--quiet", *wanted], check=False).returncode:
+        if (
+            not made
+            or subprocess.run([python, "-m", "pip", "install", "--quiet", *wanted], check=False).returncode
+        ):
             return None
         (folder / "ready").touch()
     return python
@@ -80,7 +83,9 @@ def main() -> int:
         addon_tests = sorted(str(p) for p in (ROOT / "tests" / "python").glob("test_addon*.py"))
         tally.run(f"Ring 2: the extension in bpy {version}", [str(python), "-m", "pytest", *addon_tests])
     for suite, name in SUITES.items():
-        provision = subprocess.run(["bash", "scripts/provision_blender.sh", str(CHROOTS / suite), suite], cwd=ROOT)
+        provision = subprocess.run(
+            ["bash", "scripts/provision_blender.sh", str(CHROOTS / suite), suite], cwd=ROOT
+        )
         if provision.returncode:
             tally.leave_out(f"real {name}: its chroot ({suite}) could not be made")
             continue

@@ -15,7 +15,7 @@ Renderer = Literal["auto", "cpu", "gpu"]
 
 class GuideError(Exception): ...
 class RenderError(Exception): ...
-class Cancelled(Exception): ...
+class Cancelled(Exception): ...  # noqa: N818 (not an error: the user asked for it)
 
 class Mesh:
     """A triangle mesh; the arrays are copied."""
@@ -77,7 +77,9 @@ class Guide:
         """Opens a guide's folder; None: the embedded guide. Raises GuideError."""
 
     def text_embedding(self, text: str) -> NDArray[np.float32]: ...  # (d,)
-    def image_embeddings(self, images: NDArray[np.uint8]) -> NDArray[np.float32]: ...  # (k, h, w, 3) to (k, d)
+    def image_embeddings(
+        self, images: NDArray[np.uint8]
+    ) -> NDArray[np.float32]: ...  # (k, h, w, 3) to (k, d)
     def unknown_words(self, text: str) -> list[str]: ...
     @property
     def image_size(self) -> int: ...
@@ -117,7 +119,11 @@ class Job:
     ) -> None: ...
     def start(self) -> None: ...
     def progress(self) -> dict[str, Any]:
-        """phase, generation, generations, evaluations, score_before, best_score, fraction, seconds, seconds_left, finished."""
+        """The job as it stands now.
+
+        phase, generation, generations, evaluations, score_before, best_score, fraction, seconds,
+        seconds_left, finished.
+        """
 
     def best(self) -> tuple[float, NDArray[np.float32]] | None:
         """Score and positions of the best so far: of `points` where given, else of the mesh."""

@@ -13,7 +13,9 @@ REFERENCE = pathlib.Path(__file__).resolve().parents[2] / ".." / "shared" / "ref
 def cuboid(low, high):
     """Vertices (8, 3) and triangles (12, 3) of an axis-aligned box."""
     corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], np.float32)
-    vertices = np.asarray(low, np.float32) + corners * (np.asarray(high, np.float32) - np.asarray(low, np.float32))
+    vertices = np.asarray(low, np.float32) + corners * (
+        np.asarray(high, np.float32) - np.asarray(low, np.float32)
+    )
     quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     triangles = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
     return vertices, np.array(triangles, np.int32)
@@ -27,7 +29,9 @@ def subdivided(vertices, triangles, times):
         middle = inverse.reshape(-1, 3).astype(np.int32) + len(vertices)
         vertices = np.concatenate([vertices, vertices[unique].mean(axis=1)]).astype(np.float32)
         (a, b, c), (ab, bc, ca) = triangles.T, middle.T
-        triangles = np.concatenate([np.stack(t, 1) for t in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))])
+        triangles = np.concatenate(
+            [np.stack(t, 1) for t in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))]
+        )
     return np.ascontiguousarray(vertices), np.ascontiguousarray(triangles.astype(np.int32))
 
 
@@ -45,7 +49,9 @@ def joined(parts):
 def chair():
     """A dining chair of six islands, z up, front −y, seat 0.45 m high."""
     legs = [
-        cuboid((x - 0.02, y - 0.02, 0), (x + 0.02, y + 0.02, 0.42)) for x in (-0.18, 0.18) for y in (-0.18, 0.18)
+        cuboid((x - 0.02, y - 0.02, 0), (x + 0.02, y + 0.02, 0.42))
+        for x in (-0.18, 0.18)
+        for y in (-0.18, 0.18)
     ]
     seat = cuboid((-0.22, -0.22, 0.41), (0.22, 0.22, 0.46))
     back = cuboid((-0.21, 0.18, 0.455), (0.21, 0.22, 0.95))

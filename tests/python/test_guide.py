@@ -54,7 +54,9 @@ def test_onnx_runtime_from_python_agrees(guide):
     batch = images(guide, 4)
     pixels = (batch.astype(np.float32) / 255 - config["image_mean"]) / config["image_std"]
     session = onnxruntime.InferenceSession(str(MINI / "vision_model.onnx"))
-    (expected,) = session.run(["image_embeds"], {"pixel_values": pixels.transpose(0, 3, 1, 2).astype(np.float32)})
+    (expected,) = session.run(
+        ["image_embeds"], {"pixel_values": pixels.transpose(0, 3, 1, 2).astype(np.float32)}
+    )
     expected /= np.linalg.norm(expected, axis=1, keepdims=True)
     np.testing.assert_allclose(guide.image_embeddings(batch), expected, atol=1e-5)
 
@@ -92,7 +94,7 @@ def test_an_endless_prompt_is_refused(chair, guide):
 
 def test_images_of_another_size_or_type_are_refused(guide):
     size = guide.image_size
-    with pytest.raises(ValueError, match="render at guide.image_size"):
+    with pytest.raises(ValueError, match=r"render at guide\.image_size"):
         guide.image_embeddings(np.zeros((1, size + 1, size, 3), np.uint8))
     with pytest.raises(TypeError, match="uint8"):
         guide.image_embeddings(np.zeros((1, size, size, 3), np.float32))

@@ -61,7 +61,9 @@ def test_the_score_is_that_of_the_rendered_outcome(chair, guide, stool):
     views = boxmorph.render(stool.vertices, chair[1], size=size, renderer="cpu").astype(float)
     alpha = views[..., 3:] / 255
     backgrounds = np.array([(0, 0, 0), (255, 255, 255), (255, 128, 0)], float)
-    images = [np.rint(v[..., :3] * a + b * (1 - a)) for v, a in zip(views, alpha, strict=True) for b in backgrounds]
+    images = [
+        np.rint(v[..., :3] * a + b * (1 - a)) for v, a in zip(views, alpha, strict=True) for b in backgrounds
+    ]
     embeddings = guide.image_embeddings(np.array(images, np.uint8))
     score = (embeddings @ guide.text_embedding("a bar stool")).mean()
     assert score == pytest.approx(stool.score_after, abs=5e-3)
@@ -143,7 +145,8 @@ SCRIPT = """
 import sys, numpy as np, boxmorph
 data = np.load(sys.argv[1])
 guide = boxmorph.Guide.open(threads=int(sys.argv[2]))
-job = boxmorph.Job(boxmorph.Mesh(data["v"], data["t"]), "a bar stool", guide=guide, seed=7, splits=3, renderer="cpu")
+mesh = boxmorph.Mesh(data["v"], data["t"])
+job = boxmorph.Job(mesh, "a bar stool", guide=guide, seed=7, splits=3, renderer="cpu")
 job.start(); job.join(); r = job.result()
 sys.stdout.buffer.write(r.vertices.tobytes() + r.scales.tobytes() + repr(r.score_after).encode())
 """

@@ -4,10 +4,9 @@
 import json
 from pathlib import Path
 
+import boxmorph
 import numpy as np
 import pytest
-
-import boxmorph
 
 REFERENCE = Path(__file__).parents[2] / ".." / "shared" / "reference"
 

@@ -5,10 +5,9 @@ import json
 from itertools import product
 from pathlib import Path
 
+import boxmorph
 import numpy as np
 import pytest
-
-import boxmorph
 
 REFERENCE = Path(__file__).parents[2] / ".." / "shared" / "reference"
 LEVELS = (2, 3, 4)
