@@ -36,11 +36,13 @@ impl Encoder {
     ) -> Result<Self, GuideError> {
         let bad = |reason: String| GuideError::BadModel { file, reason };
         let open = || -> Result<Session, GuideError> {
-            let builder = Session::builder(environment).map_err(|e| bad(e.to_string()))?;
-            builder
+            Session::builder(environment)
+                .map_err(|e| bad(e.to_string()))?
                 .with_optimization_level(GraphOptimizationLevel::Level3)
-                .and_then(|b| b.with_intra_threads(intra_threads))
-                .and_then(|b| b.with_inter_threads(1))
+                .map_err(|e| bad(e.to_string()))?
+                .with_intra_threads(intra_threads)
+                .map_err(|e| bad(e.to_string()))?
+                .with_inter_threads(1)
                 .map_err(|e| bad(e.to_string()))?
                 .commit_from_memory(model)
                 .map_err(|e| bad(e.to_string()))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Guides: text–image models that say how much an image looks like a prompt.
 //!
-//! A guide is a folder in the layout of CLIP and SigLIP exports (`vision_model.onnx`, `text_model.onnx`,
+//! A guide is a folder in the layout of CLIP and `SigLIP` exports (`vision_model.onnx`, `text_model.onnx`,
 //! `tokenizer.json`, `preprocessor_config.json`, `config.json`; the models may lie under `onnx/`).
 //! The embedded guide is compiled into the library.
 

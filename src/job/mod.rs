@@ -56,8 +56,11 @@ pub struct Job {
     spec: Arc<JobSpec>,
     harness: Arc<Harness>,
     thread: Mutex<Option<JoinHandle<()>>>,
-    outcome: Arc<Mutex<Option<Result<Arc<Outcome>, JobError>>>>,
+    outcome: Arc<Mutex<Option<Ended>>>,
 }
+
+/// How the work ended.
+type Ended = Result<Arc<Outcome>, JobError>;
 
 impl Job {
     /// Checks the prompt; nothing runs yet.

@@ -163,7 +163,7 @@ fn outcome(spec: &JobSpec, harness: &Harness, winner: Finalist, spent: Spent) ->
         images_encoded: spent.images,
         seconds: harness.seconds(),
         stop_reason: stop.to_string(),
-        scales: best.scales.iter().map(|s| s.to_array()).collect(),
+        scales: best.scales.iter().map(Vec3::to_array).collect(),
         gauge_scale: gauge.scale,
         gauge_shift: gauge.shift.to_array(),
         slider_min: slider.min,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! NumPy arrays to slices of vectors and back.
+//! `NumPy` arrays to slices of vectors and back.
 
 use glam::Vec3;
 use numpy::{
@@ -96,7 +96,7 @@ pub fn images(value: &Bound<'_, PyAny>, size: usize) -> PyResult<Vec<u8>> {
 
 /// Vectors as an `(n, 3)` float32 array.
 pub fn from_vectors<'py>(py: Python<'py>, vectors: &[Vec3]) -> PyResult<Bound<'py, PyArray2<f32>>> {
-    let numbers = vectors.iter().flat_map(|v| v.to_array()).collect();
+    let numbers = vectors.iter().flat_map(Vec3::to_array).collect();
     PyArray1::from_vec(py, numbers).reshape([vectors.len(), 3])
 }
 

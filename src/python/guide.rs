@@ -11,7 +11,7 @@ use super::arrays;
 use super::errors::IntoPyErr;
 use crate::guide::{self, Guide};
 
-/// Names the ONNX Runtime library to open where ORT_DYLIB_PATH names none.
+/// Names the ONNX Runtime library to open where `ORT_DYLIB_PATH` names none.
 #[pyfunction]
 #[expect(clippy::needless_pass_by_value, reason = "pyo3 extracts owned paths")]
 pub fn set_default_library(path: PathBuf) {

@@ -154,7 +154,7 @@ fn normal_error(mesh: &Mesh, field: &DeformField, rest_normals: &[Vec3], scales:
 /// Variance of the logarithms of the scale factors: how unevenly the parts were scaled. What the score does
 /// not ask for stays as it was; scaling everything alike costs nothing.
 fn effort(scales: &[Vec3]) -> f64 {
-    let logs = || scales.iter().flat_map(|c| c.to_array()).map(|c| f64::from(c).ln());
+    let logs = || scales.iter().flat_map(Vec3::to_array).map(|c| f64::from(c).ln());
     let count = logs().count() as f64;
     let mean = logs().sum::<f64>() / count;
     logs().map(|log| (log - mean).powi(2)).sum::<f64>() / count

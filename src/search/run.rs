@@ -57,7 +57,9 @@ pub fn search<E: From<SearchError> + From<ObjectiveError>>(
     loop {
         let mut candidates: Vec<Vec<Vec3>> = cma.ask().iter().map(|x| scales_of(x)).collect();
         if let Some(footing) = footing {
-            candidates.iter_mut().for_each(|scales| footing.level(scales, scale_range()));
+            for scales in &mut candidates {
+                footing.level(scales, scale_range());
+            }
         }
         let evaluations = objective.evaluate(&candidates, preset.images)?;
         for (evaluation, scales) in evaluations.iter().zip(&candidates) {
