@@ -17,6 +17,7 @@ _FILLER = frozenset(
     "a an the of with and or in on at to for by from as is it its this that like very some".split()
 )
 
+#: The last guide that was opened, under the preferences that it was opened with.
 _guides = {}
 
 
@@ -54,17 +55,14 @@ def open_guide():
             f"The guide folder {folder} does not exist. Correct it in Boxmorph's preferences, "
             "or clear it to use the embedded guide"
         )
-    if folder not in _guides:
+    opened_with = (folder, preferences().runtime_library, preferences().threads)
+    if opened_with not in _guides:
+        _guides.clear()
         try:
-            _guides[folder] = boxmorph.Guide.open(folder, threads=preferences().threads or None)
+            _guides[opened_with] = boxmorph.Guide.open(folder, threads=preferences().threads or None)
         except (boxmorph.GuideError, ValueError, OSError) as error:
             raise Refusal(sentence(error)) from error
-    return _guides[folder]
-
-
-def close_guides():
-    """Forget the open guides, so that the next one is read from its folder again."""
-    _guides.clear()
+    return _guides[opened_with]
 
 
 def clean_prompt(text):

@@ -11,12 +11,6 @@ RENDERERS = (
 )
 
 
-def _guide_changed(_preferences, _context):
-    from .engine import close_guides
-
-    close_guides()
-
-
 class BoxmorphPreferences(bpy.types.AddonPreferences):
     """Preferences of the extension, kept per user."""
 
@@ -26,14 +20,12 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
         name="Guide Folder",
         description="Folder of a guide (ONNX files, tokenizer and configuration). Empty: the embedded guide",
         subtype="DIR_PATH",
-        update=_guide_changed,
     )
     runtime_library: StringProperty(
         name="ONNX Runtime",
         description="A library of ONNX Runtime of your own, for one graphics card or another. "
         "Empty: the one inside the extension. Read when Blender first uses a guide",
         subtype="FILE_PATH",
-        update=_guide_changed,
     )
     renderer: EnumProperty(
         name="Renderer",
@@ -44,7 +36,6 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
     threads: IntProperty(
         name="Threads",
         description="Processor threads that a search may use; 0 means all. Read when Blender first searches",
-        update=_guide_changed,
         min=0,
         max=256,
         default=0,

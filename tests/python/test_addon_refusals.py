@@ -140,7 +140,6 @@ def test_guide_folders(tmp_path):
         (tmp_path / name).write_text("{ damaged")
     for name in ("vision_model.onnx", "text_model.onnx"):
         (tmp_path / name).write_bytes(b"damaged")
-    blender.addon("engine").close_guides()
     refused("json", obj=obj)
 
 
