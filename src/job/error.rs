@@ -86,3 +86,16 @@ impl From<ObjectiveError> for JobError {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_becomes_a_sentence() {
+        let part = 3;
+        let panic = std::panic::catch_unwind(|| panic!("part {part} is missing")).expect_err("it panics");
+        let error = JobError::from_panic(panic.as_ref()).to_string();
+        assert!(error.contains("(part 3 is missing); please report it"), "{error}");
+    }
+}

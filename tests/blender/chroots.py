@@ -9,6 +9,7 @@ in dist/). It prints one line for each check and ends in "N passed, N failed, N 
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 from contextlib import contextmanager
 from pathlib import Path
@@ -108,3 +109,20 @@ class Counts:
     def summary(self):
         """Return the counts in one line."""
         return f"{self.passed} passed, {self.failed} failed, {self.skipped} skipped"
+
+
+def run_everywhere(title, check_suite):
+    """Call `check_suite(bench, counts)` in each chroot that is ready; print the counts, return the exit
+    status.
+    """
+    zip_path = built_zip()
+    counts = Counts(title)
+    for chroot in chroots(sys.argv[1:]):
+        counts.title = f"{title} {chroot.name}"
+        if ready(chroot):
+            with bench(chroot, zip_path) as prepared:
+                check_suite(prepared, counts)
+        else:
+            counts.skip(f"Blender of {chroot.name}", "not provisioned; run scripts/provision_blender.sh")
+    print(counts.summary())
+    return 1 if counts.failed else 0

@@ -10,7 +10,7 @@ import shutil
 import sys
 from pathlib import Path
 
-from chroots import ARTIFACTS, Counts, bench, built_zip, chroots, ready
+from chroots import ARTIFACTS, run_everywhere
 
 #: Saved files are looked at by Blender itself: prints the shape keys of each mesh object as JSON.
 _LOOK = """
@@ -166,19 +166,5 @@ def check_usage(boxmorph, counts):
     counts.check(run.returncode == 0 and "--keyframes" in run.stdout, "--help: exit code 0", run.stdout)
 
 
-def main():
-    zip_path = built_zip()
-    counts = Counts("headless")
-    for chroot in chroots(sys.argv[1:]):
-        counts.title = f"headless {chroot.name}"
-        if ready(chroot):
-            with bench(chroot, zip_path) as prepared:
-                check_suite(prepared, counts)
-        else:
-            counts.skip(f"Blender of {chroot.name}", "not provisioned; run scripts/provision_blender.sh")
-    print(counts.summary())
-    return 1 if counts.failed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_everywhere("headless", check_suite))

@@ -9,7 +9,7 @@ Screenshots of each step stay in tests/artifacts/.
 
 import sys
 
-from chroots import ARTIFACTS, Counts, bench, built_zip, chroots, ready
+from chroots import ARTIFACTS, run_everywhere
 
 
 def check_suite(bench, counts):
@@ -27,19 +27,5 @@ def check_suite(bench, counts):
         counts.check(False, "the session ran to its end", run.stdout + run.stderr)
 
 
-def main():
-    counts = Counts("screen")
-    zip_path = built_zip()
-    for chroot in chroots(sys.argv[1:]):
-        counts.title = f"screen {chroot.name}"
-        if ready(chroot):
-            with bench(chroot, zip_path) as prepared:
-                check_suite(prepared, counts)
-        else:
-            counts.skip(f"Blender of {chroot.name}", "not provisioned; run scripts/provision_blender.sh")
-    print(counts.summary())
-    return 1 if counts.failed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_everywhere("screen", check_suite))
