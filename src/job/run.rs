@@ -14,6 +14,9 @@ use crate::report::{GuideRecord, Report};
 use crate::search::{self, Evaluation, Footing, ImagePlan, Objective, StopReason};
 use crate::spectrum::{DEFAULT_RANGE, slider_limits};
 
+/// Between the seeds of searches of the same boxes; far from the small seeds that people choose.
+const AGAIN: u64 = 0x9e37_79b9;
+
 /// The winner of one split count, judged by every image.
 struct Finalist {
     best: Best,
@@ -43,8 +46,10 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
     let mut winner: Option<Finalist> = None;
     for (index, stage) in stages.iter().enumerate() {
         let done = index * spec.preset.max_generations;
+        let again = stages[..index].iter().filter(|earlier| Arc::ptr_eq(earlier, stage)).count();
+        let seed = spec.seed.wrapping_add(again as u64 * AGAIN);
         let finalist =
-            search_stage(spec, harness, stage, &prompt, &views, &mut spent, done, winner.as_ref())?;
+            search_stage(spec, harness, stage, seed, &prompt, &views, &mut spent, done, winner.as_ref())?;
         if winner.as_ref().is_none_or(|w| finalist.after.score > w.after.score) {
             winner = Some(finalist);
         }
@@ -53,7 +58,8 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
     Ok(outcome(spec, harness, winner, spent))
 }
 
-/// The graphs to search. Split counts that give the same boxes are searched once.
+/// The graphs to search. A split count that gives the boxes of an earlier one shares its graph: the boxes are
+/// then searched again, from another seed.
 fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError> {
     let counts = spec.splits.map_or_else(|| spec.preset.splits.to_vec(), |splits| vec![splits]);
     let mut stages: Vec<Arc<Stage>> = Vec::new();
@@ -63,7 +69,8 @@ fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError
         let known = |stage: &Arc<Stage>| {
             stage.graph.box_center() == graph.box_center() && stage.graph.assignment() == graph.assignment()
         };
-        if stages.iter().any(known) {
+        if let Some(same) = stages.iter().find(|stage| known(stage)) {
+            stages.push(same.clone());
             continue;
         }
         let field = Arc::new(graph.field().clone());
@@ -78,6 +85,7 @@ fn search_stage(
     spec: &JobSpec,
     harness: &Harness,
     stage: &Arc<Stage>,
+    seed: u64,
     prompt: &[f32],
     views: &[View],
     spent: &mut Spent,
@@ -105,7 +113,7 @@ fn search_stage(
     let evaluations_before = spent.evaluations;
     let mut shown = winner.map_or(f64::NEG_INFINITY, |w| w.after.score);
     let footing = spec.preset.footing.then(|| Footing::of(&stage.graph)).flatten();
-    let found = search::search(&mut objective, footing.as_ref(), &spec.preset, spec.seed, |generation| {
+    let found = search::search(&mut objective, footing.as_ref(), &spec.preset, seed, |generation| {
         let done = generations_before + generation.number;
         harness.update(|p| {
             p.generation = done;
