@@ -5,6 +5,9 @@ use glam::{DVec3, Vec3};
 
 use crate::mesh::Mesh;
 
+/// Edge length of an occupancy cell in units of the frame: the authors' grid.
+pub(crate) const CELL: f64 = 0.01;
+
 /// Maps object coordinates to a frame whose origin is a centre and whose unit is the farthest vertex from
 /// it, so that nothing that follows depends on the object's place or unit.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -9,11 +9,8 @@ use glam::DVec3;
 
 use crate::mesh::Mesh;
 
-use super::frame::Frame;
+use super::frame::{CELL, Frame};
 use super::openings::caps;
-
-/// Edge length of a cell in units of the frame: the authors' grid.
-pub(crate) const CELL: f64 = 0.01;
 
 /// Distance of surface samples. No point of a triangle is farther than `SPACING / √2` < half a cell from
 /// a sample, so a line between the centres of two neighbouring cells that crosses the surface has a sample

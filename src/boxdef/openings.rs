@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 
+use super::frame::CELL;
 use super::islands::Islands;
-use super::occupancy::CELL;
 
 /// How far from its plane a flat outline may run.
 const FLAT: f64 = 2.0 * CELL;

@@ -18,7 +18,8 @@
 //! - A piece whose longest side is short is not worth a box of its own.
 //! - All limits are whole cells, so that no rounding decides between two results.
 
-use super::occupancy::{CELL, CellBox, Occupancy};
+use super::frame::CELL;
+use super::occupancy::{CellBox, Occupancy};
 use super::parts::{MID, POS};
 use super::profile::{Profile, step};
 
