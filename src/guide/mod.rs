@@ -142,7 +142,7 @@ impl Guide {
     pub fn check_prompt(&self, prompt: &str) -> Result<(), GuideError> {
         check_prompt(prompt)?;
         let unknown = self.text.unknown_words(prompt)?;
-        if !unknown.is_empty() && self.text.known_words(prompt, &unknown) == 0 {
+        if !unknown.is_empty() && text::known_words(prompt, &unknown) == 0 {
             return Err(GuideError::UnknownPrompt {
                 words: unknown.join(", "),
                 examples: self.classes.iter().take(6).cloned().collect::<Vec<_>>().join(", "),

@@ -54,14 +54,13 @@ impl Text {
         }
         Ok(words)
     }
+}
 
-    /// How many words of `text` are neither articles nor among `unknown`.
-    #[expect(clippy::unused_self, reason = "what counts as a word is this tokenizer's matter")]
-    pub fn known_words(&self, text: &str, unknown: &[String]) -> usize {
-        text.split(|c: char| !c.is_alphanumeric())
-            .filter(|word| !word.is_empty())
-            .filter(|word| !ARTICLES.contains(&word.to_lowercase().as_str()))
-            .filter(|word| !unknown.iter().any(|u| u == word))
-            .count()
-    }
+/// How many words of `text` are neither articles nor among `unknown`.
+pub fn known_words(text: &str, unknown: &[String]) -> usize {
+    text.split(|c: char| !c.is_alphanumeric())
+        .filter(|word| !word.is_empty())
+        .filter(|word| !ARTICLES.contains(&word.to_lowercase().as_str()))
+        .filter(|word| !unknown.iter().any(|u| u == word))
+        .count()
 }

@@ -129,14 +129,13 @@ fn search_stage(
     })?;
     spent.generations += found.generations;
     spent.evaluations += found.evaluations;
-    // The unchanged object competes too: an outcome is never worse than what was given.
-    let finalists = [unchanged, found.scales];
-    let judged = objective.evaluate(&finalists[1..], ImagePlan::All)?[0];
+    let after = objective.evaluate(std::slice::from_ref(&found.scales), ImagePlan::All)?[0];
     spent.evaluations += 1;
     spent.images += objective.images_encoded();
     spent.renderer = objective.backend_name();
-    let [unchanged, scales] = finalists;
-    let (scales, after) = if judged.score >= before.score { (scales, judged) } else { (unchanged, before) };
+    // The unchanged object competes too: an outcome is never worse than what was given.
+    let improved = after.score >= before.score;
+    let (scales, after) = if improved { (found.scales, after) } else { (unchanged, before) };
     let best = Best { score: after.score, scales, stage: stage.clone() };
     Ok(Finalist { best, before, after, stop: found.stop })
 }
