@@ -85,7 +85,7 @@ def _add_deform(commands):
 def _deform(options):
     source = _opened_file()
     obj = _object(options.object)
-    prompt = engine.clean_prompt(options.prompt)
+    prompt, _ = engine.checked_prompt(engine.open_guide(), options.prompt)
     output = os.path.abspath(options.output) if options.output else _default_output(source, prompt)
     for path in (output, options.report, options.sheet, options.spectrum):
         if path is not None:

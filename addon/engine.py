@@ -4,18 +4,9 @@ open.
 """
 
 import os
-import re
 
 from .errors import Refusal
 from .preferences import preferences
-
-#: Longest prompt accepted, in characters. A guide reads some tens of words at most.
-PROMPT_LIMIT = 300
-
-#: Words that name nothing by themselves; a prompt of these alone says nothing to a guide.
-_FILLER = frozenset(
-    "a an the of with and or in on at to for by from as is it its this that like very some".split()
-)
 
 #: The last guide that was opened, under the preferences that it was opened with.
 _guides = {}
@@ -65,32 +56,22 @@ def open_guide():
     return _guides[opened_with]
 
 
-def clean_prompt(text):
-    """Return `text` on one line without outer blanks. Raises Refusal for an empty or endless prompt."""
-    prompt = " ".join(text.split())
-    if not prompt:
-        raise Refusal("The prompt is empty. Type what the object should become, such as: a bar stool")
-    if len(prompt) > PROMPT_LIMIT:
-        raise Refusal(
-            f"The prompt has {len(prompt)} characters, and {PROMPT_LIMIT} is the most a guide can use. "
-            "Say it in a few words"
-        )
-    return prompt
+def checked_prompt(guide, text):
+    """Return `text` on one line without outer blanks, and the words of it that the guide does not know.
 
-
-def unknown_words(guide, prompt):
-    """Return the words of `prompt` that the guide does not know. Raises Refusal if it knows none that
-    counts.
+    Raises Refusal for a prompt that is empty, endless, or of unknown words alone.
     """
-    unknown = list(guide.unknown_words(prompt))
-    lowered = {word.casefold() for word in unknown}
-    words = [word for word in re.findall(r"[^\W_]+", prompt.casefold()) if word not in _FILLER]
-    if all(word in lowered for word in words):
-        named = ", ".join(f"“{word}”" for word in unknown[:6]) or f"“{prompt[:40]}”"
-        known = ", ".join(guide.classes[:8])
-        hint = f"Among those it knows: {known}" if known else "Use other words"
-        raise Refusal(f"The guide knows no word of this prompt that names a shape ({named}). {hint}")
-    return unknown
+    prompt = " ".join(text.split())
+    try:
+        guide.check_prompt(prompt)
+    except ValueError as error:
+        raise Refusal(capitalised(sentence(error))) from error
+    return prompt, guide.unknown_words(prompt)
+
+
+def capitalised(text):
+    """Return `text` with a capital first letter."""
+    return text[:1].upper() + text[1:]
 
 
 def sentence(error):

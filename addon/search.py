@@ -22,12 +22,12 @@ class Search:
     def __init__(
         self, context, obj, prompt, preset="standard", seed=0, splits="auto", symmetry="auto", renderer=None
     ):
-        self.prompt = engine.clean_prompt(prompt)
         mesh_io.deformable(obj)
-        self.arrays = mesh_io.object_arrays(obj, context)
         self._boxmorph = engine.library()
         guide = engine.open_guide()
-        self.unknown = engine.unknown_words(guide, self.prompt)
+        self.prompt, self.unknown = engine.checked_prompt(guide, prompt)
+        self.nearest = {word: guide.nearest_words(word, 1) for word in self.unknown}
+        self.arrays = mesh_io.object_arrays(obj, context)
         self.uid, self.object_name = obj.session_uid, obj.name
         self.shared_by = obj.data.users
         options = {
@@ -55,7 +55,7 @@ class Search:
         """Return sentences that the user should read before the search: unknown words, left-out modifiers."""
         notes = []
         if self.unknown:
-            words = ", ".join(f"“{word}”" for word in self.unknown[:6])
+            words = ", ".join(self._unknown(word) for word in self.unknown[:6])
             notes.append(f"The guide does not know {words} and goes by the other words")
         if self.arrays.left_out:
             notes.append(
@@ -64,6 +64,10 @@ class Search:
         if self.shared_by > 1:
             notes.append(f"The mesh has {self.shared_by} users, and all of them get the shape key")
         return notes
+
+    def _unknown(self, word):
+        """Return an unknown word in quotes, with the nearest one the guide knows."""
+        return f"“{word}”" + "".join(f" (nearest: “{known}”)" for known in self.nearest[word])
 
     def poll(self):
         """Refresh `progress`; return True once the search has ended in any way."""

@@ -81,6 +81,12 @@ class Guide:
         self, images: NDArray[np.uint8]
     ) -> NDArray[np.float32]: ...  # (k, h, w, 3) to (k, d)
     def unknown_words(self, text: str) -> list[str]: ...
+    def check_prompt(self, prompt: str) -> None:
+        """Raises ValueError for a prompt that is empty, endless, or of unknown words alone."""
+
+    def nearest_words(self, word: str, count: int = 3) -> list[str]:
+        """Known words that are spelled like `word`, the most alike first."""
+
     @property
     def image_size(self) -> int: ...
     @property

@@ -98,12 +98,12 @@ pub enum GuideError {
         most: usize,
     },
     /// No word of the prompt is known.
-    #[error("the guide knows none of these words: {words}; it knows, for example: {examples}")]
+    #[error("the guide knows no word of this prompt that names a shape ({words}). {hint}")]
     UnknownPrompt {
-        /// The unknown words.
+        /// The unknown words, or the prompt where it has none that could name anything.
         words: String,
-        /// Some names it knows.
-        examples: String,
+        /// The nearest words it knows, or examples.
+        hint: String,
     },
     /// The tokenizer fails on this text.
     #[error("the guide's tokenizer cannot read this text ({0}); type it in other words")]

@@ -10,6 +10,7 @@ mod error;
 mod files;
 mod preprocess;
 mod runtime;
+mod suggest;
 mod text;
 
 use std::path::Path;
@@ -20,13 +21,17 @@ pub use runtime::set_default_library;
 use encoder::Encoder;
 use files::GuideFiles;
 use preprocess::Preprocess;
+use suggest::Vocabulary;
 use text::Text;
 
 /// Images encoded in one run of the network. Fixed, so that no result depends on the number of threads.
 const IMAGE_BATCH: usize = 12;
 
-/// Longest prompt taken, in characters.
+/// Longest prompt taken, in characters: guides read some tens of words at most.
 const MAX_PROMPT: usize = 1000;
+
+/// Names given as examples where nothing the guide knows is spelled like the prompt.
+const EXAMPLES: usize = 8;
 
 /// Networks up to this size are opened once a thread; larger ones share one session.
 const SMALL_MODEL_BYTES: usize = 64 << 20;
@@ -142,13 +147,35 @@ impl Guide {
     pub fn check_prompt(&self, prompt: &str) -> Result<(), GuideError> {
         check_prompt(prompt)?;
         let unknown = self.text.unknown_words(prompt)?;
-        if !unknown.is_empty() && text::known_words(prompt, &unknown) == 0 {
-            return Err(GuideError::UnknownPrompt {
-                words: unknown.join(", "),
-                examples: self.classes.iter().take(6).cloned().collect::<Vec<_>>().join(", "),
-            });
+        if text::naming_words(prompt, &unknown) > 0 {
+            return Ok(());
         }
-        Ok(())
+        let nearest: Vec<String> = unknown.iter().flat_map(|word| self.nearest_words(word, 2)).collect();
+        let hint = if !nearest.is_empty() {
+            format!("The nearest it knows: {}", nearest.join(", "))
+        } else if !self.classes.is_empty() {
+            format!("It knows, for example: {}", self.examples().join(", "))
+        } else {
+            "Name an object".to_owned()
+        };
+        let words = if unknown.is_empty() { prompt.trim().to_owned() } else { unknown.join(", ") };
+        Err(GuideError::UnknownPrompt { words, hint })
+    }
+
+    /// At most `count` words the guide knows that are spelled like `word`; none for a guide that spells
+    /// words out.
+    #[must_use]
+    pub fn nearest_words(&self, word: &str, count: usize) -> Vec<String> {
+        if self.classes.is_empty() {
+            return Vec::new();
+        }
+        Vocabulary::new(self.text.vocabulary()).nearest(word, count)
+    }
+
+    /// Some names it was taught, from all over its list.
+    fn examples(&self) -> Vec<String> {
+        let step = (self.classes.len() / EXAMPLES).max(1);
+        self.classes.iter().step_by(step).take(EXAMPLES).cloned().collect()
     }
 
     /// Runs both networks once, so that a guide whose parts do not fit is refused when opened.

@@ -6,7 +6,10 @@ use tokenizers::{Tokenizer, TruncationParams};
 use super::GuideError;
 
 /// Words that name nothing by themselves: a prompt needs another one that the guide knows.
-const ARTICLES: [&str; 3] = ["a", "an", "the"];
+const FILLERS: [&str; 24] = [
+    "a", "an", "the", "of", "with", "and", "or", "in", "on", "at", "to", "for", "by", "from", "as", "is",
+    "it", "its", "this", "that", "like", "very", "some", "my",
+];
 
 /// The names tokenizers give to a word outside their vocabulary.
 const UNKNOWN_TOKENS: [&str; 2] = ["[UNK]", "<unk>"];
@@ -43,6 +46,11 @@ impl Text {
         })
     }
 
+    /// Every token of the vocabulary.
+    pub fn vocabulary(&self) -> impl Iterator<Item = String> {
+        self.tokenizer.get_vocab(false).into_keys()
+    }
+
     pub fn unknown_words(&self, text: &str) -> Result<Vec<String>, GuideError> {
         let encoding = self.tokenizer.encode(text, false).map_err(|e| GuideError::Tokenize(e.to_string()))?;
         let mut words: Vec<String> = Vec::new();
@@ -56,11 +64,11 @@ impl Text {
     }
 }
 
-/// How many words of `text` are neither articles nor among `unknown`.
-pub fn known_words(text: &str, unknown: &[String]) -> usize {
-    text.split(|c: char| !c.is_alphanumeric())
+/// How many words of `text` name something: neither fillers nor among `unknown`.
+pub fn naming_words(text: &str, unknown: &[String]) -> usize {
+    text.split(|c: char| c.is_whitespace() || c.is_ascii_punctuation())
         .filter(|word| !word.is_empty())
-        .filter(|word| !ARTICLES.contains(&word.to_lowercase().as_str()))
+        .filter(|word| !FILLERS.contains(&word.to_lowercase().as_str()))
         .filter(|word| !unknown.iter().any(|u| u == word))
         .count()
 }

@@ -54,6 +54,16 @@ impl PyGuide {
         self.0.unknown_words(text).map_err(|e| IntoPyErr::into_py_err(&e))
     }
 
+    /// Refuses a prompt that is empty, endless, or of unknown words alone.
+    fn check_prompt(&self, prompt: &str) -> PyResult<()> {
+        self.0.check_prompt(prompt).map_err(|e| IntoPyErr::into_py_err(&e))
+    }
+
+    #[pyo3(signature = (word, count=3))]
+    fn nearest_words(&self, word: &str, count: usize) -> Vec<String> {
+        self.0.nearest_words(word, count)
+    }
+
     #[getter]
     fn image_size(&self) -> u32 {
         self.0.image_size()

@@ -75,8 +75,29 @@ def test_unknown_words_are_named(guide):
 
 
 def test_a_prompt_of_unknown_words_alone_is_refused(chair, guide):
-    with pytest.raises(ValueError, match=r"knows none of these words: zorblax.*it knows, for example"):
+    with pytest.raises(ValueError, match=r"no word of this prompt.*\(zorblax\)\. It knows, for example: a "):
         boxmorph.Job(boxmorph.Mesh(*chair), "a zorblax", guide=guide)
+
+
+@pytest.mark.parametrize(
+    "prompt, meant", [("a chiar", "chair"), ("glidre", "glider"), ("a wardrob", "wardrobe")]
+)
+def test_a_misspelt_prompt_is_refused_with_the_nearest_known_word(guide, prompt, meant):
+    with pytest.raises(ValueError, match=f"The nearest it knows: {meant}"):
+        guide.check_prompt(prompt)
+
+
+def test_a_misspelt_word_among_known_ones_has_a_nearest(guide):
+    guide.check_prompt("a tall chiar")
+    assert guide.unknown_words("a tall chiar") == ["chiar"]
+    assert guide.nearest_words("chiar", 1) == ["chair"]
+    assert guide.nearest_words("zorblax") == []
+
+
+@pytest.mark.parametrize("prompt", ["the of a", "!?", "with a"])
+def test_a_prompt_that_names_nothing_is_refused(guide, prompt):
+    with pytest.raises(ValueError, match="no word of this prompt that names a shape"):
+        guide.check_prompt(prompt)
 
 
 @pytest.mark.parametrize("prompt", ["", "   ", "\n"])
