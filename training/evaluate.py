@@ -10,8 +10,9 @@ from pathlib import Path
 
 import numpy as np
 import onnxruntime
+from families import FAMILIES, NAMES
+from fit import HELD_OUT
 from generate import SIZE, grey_views
-from kinds import FAMILY_WORDS, NAMES
 from tokenizers import Tokenizer
 
 BACKGROUNDS = np.array([[0, 0, 0], [255, 255, 255], [255, 128, 0]], np.float32)
@@ -29,6 +30,7 @@ class GuideFiles:
         self.tokenizer = Tokenizer.from_file(str(folder / "tokenizer.json"))
         self.config = json.loads((folder / "config.json").read_text())
         self.classes = self.config["boxmorph"]["classes"]
+        self.nets = self.config["boxmorph"]["networks"]
 
     def words(self, texts):
         """Unit embeddings (k, d) of texts."""
@@ -46,33 +48,31 @@ class GuideFiles:
         return out.reshape(len(images), 4, -1).mean(1) / grounds
 
 
-def held_out(guide, folder, count=2000):
-    """By family, among shapes that clearly are of one kind: share whose kind is ranked first, in the first
-    three.
+def held_out(guide, folder, count=HELD_OUT):
+    """By family, among held-out shapes that clearly are of one kind: how many, and the shares whose kind is
+    ranked first, and in the first three, of all kinds; and the correlation of score and truth over all.
     """
+    kinds = np.array([kind is not None for _, kind in NAMES])
     images = np.load(Path(folder) / "images.npy", mmap_mode="r")[-count:]
-    truth = np.exp(-np.load(Path(folder) / "gaps.npy")[-count:].astype(float))[:, : len(NAMES)]
-    score = (
-        np.concatenate([guide.shapes(images[i : i + 100]) for i in range(0, len(images), 100)])
-        @ guide.words(guide.classes).T
-    )
+    truth = np.exp(-np.load(Path(folder) / "gaps.npy")[-count:].astype(float))[:, kinds]
     family = np.load(Path(folder) / "family.npy")[-count:]
+    seen = np.concatenate([guide.shapes(images[i : i + 100]) for i in range(0, len(images), 100)])
+    score = seen @ guide.words(guide.classes).T
     order = np.argsort(-truth, 1)
-    best, second = (
-        np.take_along_axis(truth, order[:, :1], 1)[:, 0],
-        np.take_along_axis(truth, order[:, 1:2], 1)[:, 0],
-    )
+    best, second = (np.take_along_axis(truth, order[:, i : i + 1], 1)[:, 0] for i in range(2))
     clear = (best > 0.7) & (second < 0.5)
     rank = (score > np.take_along_axis(score, order[:, :1], 1)).sum(1)
     figures = {}
-    for i, name in enumerate(FAMILY_WORDS):
+    for i, module in enumerate(FAMILIES):
         pick = clear & (family == i)
-        figures[name] = {
+        figures[module] = {
             "shapes": int(pick.sum()),
-            "first": float((rank[pick] == 0).mean()),
-            "first three": float((rank[pick] < 3).mean()),
+            "first": round(float((rank[pick] == 0).mean()), 3),
+            "first three": round(float((rank[pick] < 3).mean()), 3),
         }
-    figures["correlation of score and truth"] = float(np.corrcoef(score.ravel(), truth.ravel())[0, 1])
+    figures["correlation of score and truth"] = round(
+        float(np.corrcoef(score.ravel(), truth.ravel())[0, 1]), 3
+    )
     return figures
 
 

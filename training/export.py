@@ -12,11 +12,11 @@ from pathlib import Path
 import numpy as np
 import onnx
 import torch
+from families import FAMILIES
 from generate import SIZE
-from kinds import FAMILY_WORDS, KINDS
-from model import EMBEDDING, WIDTHS, ImageEncoder, TextEncoder
+from model import EMBEDDING, LAYERS, ImageEncoder, TextEncoder
 from onnx import TensorProto, helper, numpy_helper
-from text import LENGTH, article, class_prompts, tokenizer_json
+from text import LENGTH, class_prompts, tokenizer_json
 
 
 class Graph:
@@ -73,10 +73,10 @@ def image_model(encoders, path):
     graph, parts = Graph(), []
     for n, encoder in enumerate(encoders):
         x = "pixel_values"
-        for i in range(len(WIDTHS)):
+        for i, (_, stride) in enumerate(LAYERS):
             weight, bias = _folded(encoder.features[3 * i], encoder.features[3 * i + 1])
             names = [graph.constant(weight, f"net{n}_conv{i}"), graph.constant(bias, f"net{n}_bias{i}")]
-            x = graph.op("Conv", [x, *names], kernel_shape=[3, 3], strides=[2, 2], pads=[1, 1, 1, 1])
+            x = graph.op("Conv", [x, *names], kernel_shape=[3, 3], strides=[stride] * 2, pads=[1, 1, 1, 1])
             x = graph.op("Relu", [x])
         head = encoder.head
         names = [
@@ -160,8 +160,8 @@ def export(weights, folder):
         "boxmorph": {
             "classes": [p for prompts in class_prompts().values() for p in prompts],
             "families": class_prompts(),
-            "family_words": {f: article(w) for f, w in FAMILY_WORDS.items()},
-            "kinds": sum(len(k) for k in KINDS.values()),
+            "adjectives": {f.word: list(f.adjectives) for f in FAMILIES.values()},
+            "networks": len(weights),
         },
     }
     for name, data in (("preprocessor_config.json", preprocessor), ("config.json", config)):

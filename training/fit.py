@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""Train one pair of encoders: the cosine of every (shape, caption) pair is fitted to its graded truth."""
+"""Train one pair of encoders: the cosine of every (shape, prompt) pair is fitted to its graded truth."""
 
 import argparse
 import time
@@ -7,15 +7,21 @@ from pathlib import Path
 
 import numpy as np
 import torch
-from kinds import CAPTIONS, NAMES
+from families import FAMILIES, NAMES
+from grading import KIND_SHARE, lack
+from kinds.adjectives import forms
 from model import ImageEncoder, TextEncoder
-from text import ADJECTIVES, attribute_of, encode, phrases
+from text import Words, bag, phrases
 from torch.nn.functional import binary_cross_entropy_with_logits
 
+# What names a thing already cannot be an adjective as well: "a high chair", "a heavy rocket".
+NAMED = {bag(phrase) for name in NAMES for phrase in phrases(name)}
 BACKGROUNDS = torch.tensor([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [1.0, 0.5, 0.0]])
-SHAPES = 32  # shapes a batch, four images each
-MINED = 0.35  # share of a batch that comes from searches, once there are any
-HELD_OUT = 2000  # shapes at the end of the first folder that no net is trained on
+SHAPES = 40  # shapes a batch, four images each
+MINED = 0.4  # share of a batch that comes from searches, once there are any
+HELD_OUT = 3000  # shapes at the end of the first folder that no net is trained on
+OTHER_FAMILY = 0.2  # weight of a pair whose shape and prompt are of different families
+OWNER = np.array([list(FAMILIES).index(module) for module, _ in NAMES])
 
 
 def goal(gap):
@@ -34,17 +40,49 @@ def composite(images, rng):
     return (grey * cover + ground * (1 - cover)) * 2 - 1
 
 
-def mixed_captions(rng, count=14):
-    """Kinds with an adjective of their family: texts, kind indices, attribute indices."""
-    texts, kinds, attributes = [], [], []
-    for i in rng.integers(0, len(NAMES), count):
-        family, kind = NAMES[i]
-        index, adjective = attribute_of(family)[rng.integers(len(attribute_of(family)))]
-        forms = ADJECTIVES[adjective]
-        texts.append(forms[rng.integers(len(forms))] + " " + kind)
-        kinds.append(int(i))
-        attributes.append(index)
-    return texts, kinds, attributes
+class Graded:
+    """Prompts with adjectives for the shapes of a batch: "a tall bar stool", "a low wide table"."""
+
+    def __init__(self, base, rng):
+        self.rng = rng
+        stored = np.load(Path(base) / "usual.npz")
+        self.center, self.step = stored["center"], stored["step"]
+
+    def _pick(self, options):
+        return options[self.rng.integers(len(options))]
+
+    def prompts(self, gaps, rows, family):
+        """One prompt for each shape: texts, and squared distances (shapes, prompts).
+
+        Two adjectives are only ever trained on the family's word, one on any noun.
+        """
+        texts, columns = [], []
+        for i, f in enumerate(family):
+            own = list(FAMILIES.values())[f]
+            inside = np.flatnonzero(f == OWNER)
+            kinds, word = inside[:-1], inside[-1]
+            choice = self.rng.random()
+            n = (
+                word
+                if choice < 0.3
+                else kinds[gaps[i, kinds].argmin()]
+                if choice < 0.75
+                else self._pick(kinds)
+            )
+            wanted = [self._pick(list(own.adjectives))]
+            if n == word and self.rng.random() < 0.5:
+                wanted.append(self._pick(list(own.adjectives)))
+            text, lacks = self._pick(phrases(NAMES[n])), 0.0
+            for adjective in dict.fromkeys(wanted):
+                quantity, sign = own.adjectives[adjective]
+                q = own.quantities.index(quantity)
+                said = [f"{form} {text}" for form in forms(adjective)]
+                text = self._pick([s for s in said if bag(s) not in NAMED])
+                steps = sign * (rows[:, q] - self.center[n, q]) / self.step[f, q]
+                lacks = lacks + np.where(family == f, lack(steps), 2.0)
+            texts.append(text)
+            columns.append(KIND_SHARE * gaps[:, n] + lacks)
+        return texts, np.stack(columns, 1).astype(np.float32)
 
 
 class Shapes:
@@ -55,13 +93,15 @@ class Shapes:
     def __init__(self, folders, rng, held_out=HELD_OUT):
         self.rng = rng
         self.images = [np.load(Path(f) / "images.npy", mmap_mode="r") for f in folders]
-        self.gaps = [np.load(Path(f) / "gaps.npy").astype(np.float32) for f in folders]
+        self.facts = [
+            [np.load(Path(f) / f"{name}.npy") for name in ("gaps", "quantities", "family")] for f in folders
+        ]
         self.counts = [len(i) for i in self.images]
         self.counts[0] -= held_out
         self.order, self.at = [], 0
 
     def batch(self):
-        """Images (SHAPES, 4, s, s) uint8 and gaps (SHAPES, captions)."""
+        """Images (SHAPES, 4, s, s, 2) uint8, gaps (SHAPES, names), quantities and families."""
         mined = self.rng.binomial(SHAPES, MINED) if len(self.counts) > 1 else 0
         fresh = SHAPES - mined
         if self.at + fresh > len(self.order):
@@ -71,7 +111,9 @@ class Shapes:
         for _ in range(mined):
             f = 1 + int(self.rng.integers(len(self.counts) - 1))
             picks.append((f, int(self.rng.integers(self.counts[f]))))
-        return np.stack([self.images[f][i] for f, i in picks]), np.stack([self.gaps[f][i] for f, i in picks])
+        images = np.stack([self.images[f][i] for f, i in picks])
+        gaps, rows, family = (np.stack([self.facts[f][column][i] for f, i in picks]) for column in range(3))
+        return images, gaps.astype(np.float32), rows, family
 
 
 def fit(folders, out, steps, seed, threads, resume=None, rate=2e-3):
@@ -81,43 +123,55 @@ def fit(folders, out, steps, seed, threads, resume=None, rate=2e-3):
     torch.set_num_threads(threads)
     torch.manual_seed(seed)
     rng = np.random.default_rng(seed)
-    shapes = Shapes(folders, rng)
+    shapes, graded, ids = Shapes(folders, rng), Graded(folders[0], rng), Words()
     eye, text = ImageEncoder().to(memory_format=torch.channels_last), TextEncoder()
     if resume:
         state = torch.load(resume)
         eye.load_state_dict(state["image"])
         text.load_state_dict(state["text"])
+    ways = [phrases(name) for name in NAMES]
     weights = [*eye.parameters(), *text.parameters()]
     optimiser = torch.optim.AdamW(weights, lr=rate, weight_decay=2e-3)
     schedule = torch.optim.lr_scheduler.OneCycleLR(optimiser, rate, steps, pct_start=0.06)
     start = time.time()
     for step in range(steps):
-        pictures, gap = shapes.batch()
+        pictures, gaps, rows, family = shapes.batch()
         x = composite(pictures, rng).contiguous(memory_format=torch.channels_last)
-        gap = torch.from_numpy(gap)
-        texts = [(p := phrases(c))[rng.integers(len(p))] for c in CAPTIONS]
-        more, kinds, attributes = mixed_captions(rng)
-        gap = torch.cat([gap, 0.6 * gap[:, kinds] + 0.6 * gap[:, attributes]], 1)
-        words = text(torch.tensor(encode(texts + more)))
+        texts, graded_gaps = graded.prompts(gaps, rows, family)
+        texts = [p[rng.integers(len(p))] for p in ways] + texts
+        gap = torch.from_numpy(np.concatenate([gaps, graded_gaps], 1))
+        owner = np.concatenate([OWNER, family])
+        near = torch.from_numpy(np.where(owner == family[:, None], 1.0, OTHER_FAMILY).astype(np.float32))
+        words = text(torch.tensor(ids.encode(texts)))
         with torch.autocast("cpu", dtype=torch.bfloat16):
             seen = eye(x)
         each = (seen @ words.T).view(SHAPES, 4, -1)
         wanted = goal(gap)
-        weight = 0.4 + 2.5 * wanted
+        weight = near + 2.5 * wanted
         mean = each.mean(1)
         loss = (weight * (mean - wanted) ** 2).mean() + 0.3 * (
             weight[:, None] * (each - wanted[:, None]) ** 2
         ).mean()
-        loss = loss + 0.02 * binary_cross_entropy_with_logits(14 * (mean - 0.45), torch.exp(-gap))
+        loss = (
+            loss
+            + 0.01
+            * (
+                near * binary_cross_entropy_with_logits(14 * (mean - 0.45), torch.exp(-gap), reduction="none")
+            ).mean()
+        )
+        if not torch.isfinite(loss):
+            raise SystemExit(f"training: the loss of batch {step} is no number; look for one in {folders}")
         optimiser.zero_grad()
         loss.backward()
         optimiser.step()
         schedule.step()
         if step % 200 == 0 or step == steps - 1:
-            error = (mean - wanted).abs().mean().item()
-            seconds = time.time() - start
+            own = near > OTHER_FAMILY
+            error = (mean - wanted).abs()[own].mean().item()
             print(
-                f"net {seed} step {step} loss {loss.item():.4f} error {error:.4f} {seconds:.0f} s", flush=True
+                f"net {seed} step {step} loss {loss.item():.4f} error in the family {error:.4f} "
+                f"{time.time() - start:.0f} s",
+                flush=True,
             )
     torch.save({"image": eye.state_dict(), "text": text.state_dict()}, out)
 

@@ -6,8 +6,9 @@ from text import FILLERS, PAD, UNKNOWN, plural_pairs, vocabulary
 from torch import nn
 from torch.nn.functional import normalize
 
-WIDTHS = (24, 48, 96, 160)
-EMBEDDING = 64
+# Width and stride of each 3 x 3 convolution.
+LAYERS = ((16, 2), (40, 2), (96, 2), (192, 2), (192, 1))
+EMBEDDING = 128
 
 
 class ImageEncoder(nn.Module):
@@ -16,9 +17,9 @@ class ImageEncoder(nn.Module):
     def __init__(self):
         super().__init__()
         layers, last = [], 3
-        for width in WIDTHS:
+        for width, stride in LAYERS:
             layers += [
-                nn.Conv2d(last, width, 3, 2, 1, bias=False),
+                nn.Conv2d(last, width, 3, stride, 1, bias=False),
                 nn.BatchNorm2d(width),
                 nn.ReLU(inplace=True),
             ]
@@ -35,7 +36,7 @@ class TextEncoder(nn.Module):
     nothing.
     """
 
-    def __init__(self, width=64):
+    def __init__(self, width=96, hidden=256):
         super().__init__()
         ids = vocabulary()
         weight = torch.ones(len(ids), 1)
@@ -46,8 +47,8 @@ class TextEncoder(nn.Module):
             same[many] = one
         self.register_buffer("same", same)
         self.words = nn.Embedding(len(ids), width)
-        self.hidden = nn.Linear(width, 128)
-        self.out = nn.Linear(128, EMBEDDING)
+        self.hidden = nn.Linear(width, hidden)
+        self.out = nn.Linear(hidden, EMBEDDING)
 
     def table(self):
         """Word vectors with plurals tied to their singulars, (words, width)."""

@@ -1,28 +1,28 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""Make the embedded guide from nothing: shapes, two trained pairs of encoders, ONNX files, figures.
+"""Make the embedded guide from nothing: shapes, trained pairs of encoders, ONNX files, figures.
 
 `python training/train.py` in an environment with this project's wheel and `training/requirements.txt`.
-The same seed gives the same shapes and, on the same machine and thread count, the same weights.
+The same seed gives the same shapes and, on the same machine, the same weights. A last network, trained with
+another seed and never searched against, is left in the output folder as a judge for `steer.py`.
 """
 
 import argparse
 import json
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 from evaluate import GuideFiles, held_out, name_meshes
 from export import export
 from generate import generate
+from mine import mine
 
 HERE = Path(__file__).parent
-# Each round: batches trained, highest learning rate, searches mined with the guide it leaves.
-ROUNDS = ((1400, 2e-3, 350), (4000, 2e-3, 600), (4500, 1.5e-3, 600), (3600, 1.2e-3, 0))
-
-
-def run(*command):
-    """A step of the training in a process of its own."""
-    return subprocess.Popen([sys.executable, *map(str, command)])
+# Each round: batches trained, highest learning rate, searches mined with the guide it leaves. The first only
+# makes something to search with: the second starts from scratch.
+ROUNDS = ((2000, 2e-3, 700), (6500, 2e-3, 1000), (8000, 1.5e-3, 0))
+JUDGE = (8000, 2e-3)
 
 
 def finish(jobs):
@@ -31,48 +31,53 @@ def finish(jobs):
         sys.exit("training: a step failed; see the message above")
 
 
+def fit(out, folders, steps, rate, seed, resume=False):
+    """A network's training in a process of its own, on one core."""
+    options = ["--steps", steps, "--rate", rate, "--seed", seed, *(["--resume", out] if resume else [])]
+    return subprocess.Popen([sys.executable, *map(str, [HERE / "fit.py", out, *folders, *options])])
+
+
 def main():
-    """Shapes, then rounds of fitting and mining, then the figures."""
+    """Shapes, then rounds of fitting and mining, then the judge and the figures."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, default=HERE / "out", help="folder for shapes and weights")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=HERE / "out",
+        help="folder for shapes and weights; shapes already drawn there are used again",
+    )
     parser.add_argument(
         "--guide", type=Path, default=HERE.parent / "guides" / "mini", help="folder to write the guide to"
     )
-    parser.add_argument("--count", type=int, default=28_000, help="shapes drawn before any search")
+    parser.add_argument("--count", type=int, default=80_000, help="shapes drawn before any search")
     parser.add_argument("--nets", type=int, default=2)
     parser.add_argument("--seed", type=int, default=11)
     parser.add_argument("--short", type=int, default=1, help="divide all counts by this, to try the pipeline")
-    parser.add_argument(
-        "--meshes", type=Path, default=HERE.parent.parent / "shared" / "reference", help="unseen .obj files"
-    )
+    parser.add_argument("--meshes", type=Path, help="folder of unseen .obj files to name")
     a = parser.parse_args()
+    start, record = time.time(), []
     base = a.out / "base"
-    generate(base, max(a.count // a.short, 3000), a.seed)
+    if not (base / "usual.npz").is_file():
+        generate(base, max(a.count // a.short, 4000), a.seed)
     folders, weights = [base], [a.out / f"net{n}.pt" for n in range(a.nets)]
-    # The first round only makes something to search with: the second starts from scratch.
     for number, (steps, rate, searches) in enumerate(ROUNDS):
-        jobs = []
-        for n, path in enumerate(weights):
-            resume = ["--resume", path] if number > 1 else []
-            options = [
-                "--steps",
-                max(steps // a.short, 20),
-                "--rate",
-                rate,
-                "--seed",
-                a.seed + 10 * number + n,
-            ]
-            jobs.append(run(HERE / "fit.py", path, *folders, *options, *resume))
-        finish(jobs)
+        steps = max(steps // a.short, 20)
+        seed = a.seed + 10 * number
+        finish([fit(w, folders, steps, rate, seed + n, number > 1) for n, w in enumerate(weights)])
         export(weights, a.guide)
+        figures = {"round": number, "held out": held_out(GuideFiles(a.guide), base)}
         if searches:
             folders.append(a.out / f"mined{number}")
-            count = ["--count", max(searches // a.short, 2), "--seed", a.seed + number]
-            finish([run(HERE / "mine.py", a.guide, folders[-1], *count)])
-    guide = GuideFiles(a.guide)
-    print(json.dumps(held_out(guide, base), indent=2))
-    if a.meshes.is_dir():
-        print(json.dumps(name_meshes(guide, a.meshes), indent=2))
+            figures["mined"] = mine(a.guide, folders[-1], max(searches // a.short, 20), a.seed + number)
+        figures["minutes"] = round((time.time() - start) / 60, 1)
+        record.append(figures)
+        (a.out / "rounds.json").write_text(json.dumps(record, indent=2) + "\n")
+        print(json.dumps(figures), flush=True)
+    steps, rate = JUDGE
+    finish([fit(a.out / "judge.pt", folders, max(steps // a.short, 20), rate, a.seed + 100)])
+    export([a.out / "judge.pt"], a.out / "judge")
+    if a.meshes:
+        print(json.dumps(name_meshes(GuideFiles(a.guide), a.meshes), indent=2))
 
 
 if __name__ == "__main__":

@@ -8,9 +8,7 @@ import numpy as np
 
 @dataclass
 class Part:
-    """One solid: its label, vertices (n, 3), triangles (m, 3), and the point where it meets its parent's
-    label.
-    """
+    """One solid: label, vertices (n, 3), triangles (m, 3), and where it meets its parent's label."""
 
     label: str
     vertices: np.ndarray
@@ -21,8 +19,9 @@ class Part:
 
 @dataclass
 class Shape:
-    """Parts in order, the root first; `traits` are facts that scaling cannot change; `damage` is 0 (whole)
-    to 1.
+    """Parts in order, the root first.
+
+    `traits` are facts that scaling cannot change; `damage` is 0 (whole) to 1.
     """
 
     family: str
@@ -51,7 +50,10 @@ class Shape:
             vertices.append(p.vertices)
             faces.append(p.faces + count)
             count += len(p.vertices)
-        return np.concatenate(vertices).astype(np.float32), np.concatenate(faces).astype(np.uint32)
+        return (
+            np.ascontiguousarray(np.concatenate(vertices), np.float32),
+            np.ascontiguousarray(np.concatenate(faces), np.uint32),
+        )
 
 
 def scale_parts(shape, rng, reach):

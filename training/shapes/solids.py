@@ -7,8 +7,11 @@ Coordinates are z up, x left-right, y front-back, in any unit.
 import numpy as np
 
 
-def loft(rings):
-    """Skin k rings of n points each, given as (k, n, 3); both ends are closed by fans about their means."""
+def loft(rings, caps=True):
+    """Skin k rings of n points each, given as (k, n, 3).
+
+    With `caps` both ends are closed by fans about their means, without it the surface stays open.
+    """
     rings = np.asarray(rings, float)
     k, n, _ = rings.shape
     vertices = np.concatenate([rings.reshape(-1, 3), rings[:1].mean(1), rings[-1:].mean(1)])
@@ -19,9 +22,12 @@ def loft(rings):
         p, q = a * n, (a + 1) * n
         faces.append(np.stack([p + i, p + j, q + j], 1))
         faces.append(np.stack([p + i, q + j, q + i], 1))
-    start, end = k * n, k * n + 1
-    faces.append(np.stack([np.full(n, start), j, i], 1))
-    faces.append(np.stack([np.full(n, end), (k - 1) * n + i, (k - 1) * n + j], 1))
+    if caps:
+        start, end = k * n, k * n + 1
+        faces.append(np.stack([np.full(n, start), j, i], 1))
+        faces.append(np.stack([np.full(n, end), (k - 1) * n + i, (k - 1) * n + j], 1))
+    else:
+        vertices = vertices[:-2]
     faces = np.concatenate(faces)
     a, b, c = (vertices[faces[:, m]] for m in range(3))
     if np.einsum("ij,ij->i", a, np.cross(b, c)).sum() < 0:
@@ -56,8 +62,9 @@ def rounded_rectangle(half_x, half_y, radius, steps=3):
 
 
 def slab(plan, z0, z1, bevel=0.0, center=(0.0, 0.0), crown=0.0, divisions=1):
-    """Prism over a plan outline (n, 2) about the origin from z0 to z1, edges bevelled, top bulged by
-    `crown`.
+    """Prism over a plan outline (n, 2) about the origin from z0 to z1.
+
+    Its edges are bevelled, its top bulges by `crown`.
     """
     plan = np.asarray(plan, float)
     reach = np.abs(plan).max(0)
@@ -75,8 +82,9 @@ def slab(plan, z0, z1, bevel=0.0, center=(0.0, 0.0), crown=0.0, divisions=1):
 
 
 def block(low, high, bevel=0.0, corner=None):
-    """Box between two corners with bevelled edges; `corner` is the plan's corner radius (the bevel when
-    None).
+    """Box between two corners with bevelled edges.
+
+    `corner` is the plan's corner radius (the bevel when None).
     """
     low, high = np.asarray(low, float), np.asarray(high, float)
     half = (high - low) / 2
@@ -102,8 +110,9 @@ def cushion(center, half, roundness=4.0, sides=16, rings=7):
 
 
 def bar(start, end, size_start, size_end=None, sides=4, bow=None, steps=2):
-    """Straight or bowed bar between two points; sizes are (half_a, half_b) or one number, `bow` a mid-way
-    offset.
+    """Straight or bowed bar between two points.
+
+    Sizes are (half_a, half_b) or one number, `bow` is the offset half-way.
     """
     start, end = np.asarray(start, float), np.asarray(end, float)
     size_end = size_start if size_end is None else size_end
@@ -123,10 +132,29 @@ def bar(start, end, size_start, size_end=None, sides=4, bow=None, steps=2):
     return loft(rings)
 
 
-def lathe(profile, center=(0.0, 0.0), sides=16, squash=(1.0, 1.0), roundness=2.0):
-    """Solid of revolution about z from (radius, z) pairs; `squash` scales x and y."""
+def lathe(profile, center=(0.0, 0.0), sides=16, squash=(1.0, 1.0), roundness=2.0, caps=True):
+    """Surface of revolution about z from (radius, z) pairs; `squash` scales x and y, `caps` closes the ends.
+
+    A profile may turn back on itself, as the wall of a cup does.
+    """
     plan = outline(sides, roundness, np.pi / sides) * np.asarray(squash)
-    return loft([np.column_stack([plan * r + center, np.full(sides, z)]) for r, z in profile])
+    return loft([np.column_stack([plan * r + center, np.full(sides, z)]) for r, z in profile], caps)
+
+
+def tube(path, size, sides=8, caps=True):
+    """A round tube along (k, 3) points in any directions; `size` is its radius, one number or one a point."""
+    path = np.asarray(path, float)
+    size = np.broadcast_to(size, len(path))
+    along = np.gradient(path, axis=0)
+    along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-12)
+    side = np.eye(3)[np.argmin(np.abs(along).max(0))]
+    rings = []
+    for p, t, r in zip(path, along, size, strict=True):
+        side = side - t * (side @ t)
+        side /= max(np.linalg.norm(side), 1e-12)
+        ring = outline(sides, 2.0, np.pi / sides) * r
+        rings.append(p + ring[:, :1] * side + ring[:, 1:] * np.cross(t, side))
+    return loft(rings, caps)
 
 
 def airfoil(count=10):
@@ -162,3 +190,16 @@ def mirrored(solid):
     """The solid reflected in x = 0, orientation kept outward."""
     vertices, faces = solid
     return vertices * (-1, 1, 1), faces[:, ::-1]
+
+
+def upright_slab(plan, y0, y1, bevel=0.0):
+    """Prism over an outline in x and z, from y0 to y1."""
+    v, f = slab(plan, y0, y1, bevel)
+    return np.ascontiguousarray(v[:, [0, 2, 1]]), f[:, ::-1]
+
+
+def fit(solid, low, high):
+    """The solid stretched to fill the box between two corners."""
+    v, f = solid
+    low, high = np.asarray(low, float), np.asarray(high, float)
+    return (v - v.min(0)) / np.maximum(np.ptp(v, 0), 1e-9) * (high - low) + low, f
