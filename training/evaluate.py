@@ -30,7 +30,7 @@ class GuideFiles:
         self.tokenizer = Tokenizer.from_file(str(folder / "tokenizer.json"))
         self.config = json.loads((folder / "config.json").read_text())
         self.classes = self.config["boxmorph"]["classes"]
-        self.nets = self.config["boxmorph"]["networks"]
+        self.nets = self.config["boxmorph"].get("networks", 1)
 
     def words(self, texts):
         """Unit embeddings (k, d) of texts."""

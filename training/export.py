@@ -14,7 +14,7 @@ import onnx
 import torch
 from families import FAMILIES
 from generate import SIZE
-from model import EMBEDDING, LAYERS, ImageEncoder, TextEncoder
+from model import EMBEDDING, LAYERS, MARGIN, SEEN, ImageEncoder, TextEncoder
 from onnx import TensorProto, helper, numpy_helper
 from text import LENGTH, class_prompts, tokenizer_json
 
@@ -71,8 +71,12 @@ def _folded(conv, norm):
 def image_model(encoders, path):
     """pixel_values (batch, 3, SIZE, SIZE) to image_embeds."""
     graph, parts = Graph(), []
+    place = {"starts": [MARGIN] * 2, "ends": [MARGIN + SEEN] * 2, "axes": [2, 3]}
+    middle = graph.op(
+        "Slice", ["pixel_values", *(graph.constant(np.array(v, np.int64), k) for k, v in place.items())]
+    )
     for n, encoder in enumerate(encoders):
-        x = "pixel_values"
+        x = middle
         for i, (_, stride) in enumerate(LAYERS):
             weight, bias = _folded(encoder.features[3 * i], encoder.features[3 * i + 1])
             names = [graph.constant(weight, f"net{n}_conv{i}"), graph.constant(bias, f"net{n}_bias{i}")]

@@ -10,14 +10,15 @@ import torch
 from families import FAMILIES, NAMES
 from grading import KIND_SHARE, lack
 from kinds.adjectives import forms
-from model import ImageEncoder, TextEncoder
+from model import MARGIN, SEEN, ImageEncoder, TextEncoder
 from text import Words, bag, phrases
 from torch.nn.functional import binary_cross_entropy_with_logits
 
 # What names a thing already cannot be an adjective as well: "a high chair", "a heavy rocket".
 NAMED = {bag(phrase) for name in NAMES for phrase in phrases(name)}
 BACKGROUNDS = torch.tensor([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [1.0, 0.5, 0.0]])
-SHAPES = 40  # shapes a batch, four images each
+SHAPES = 160  # shapes a batch, one view each: many shapes teach more than many views
+PROMPTS = 40  # of them that get a prompt with an adjective
 MINED = 0.4  # share of a batch that comes from searches, once there are any
 HELD_OUT = 3000  # shapes at the end of the first folder that no net is trained on
 OTHER_FAMILY = 0.2  # weight of a pair whose shape and prompt are of different families
@@ -32,11 +33,13 @@ def goal(gap):
 
 
 def composite(images, rng):
-    """Grey and coverage (k, 4, s, s, 2) uint8 to (4k, 3, s, s) in -1..1: random backgrounds, small shifts."""
-    k, v, s = images.shape[:3]
-    flat = torch.from_numpy(np.roll(images, rng.integers(-1, 2, 2), (2, 3)).reshape(k * v, 1, s, s, 2))
+    """Grey and coverage (k, s, s, 2) uint8 to what the encoder sees of them, (k, 3, SEEN, SEEN) in -1..1:
+    random backgrounds, small shifts.
+    """
+    y, x = MARGIN + rng.integers(-1, 2, 2)
+    flat = torch.from_numpy(images[:, None, y : y + SEEN, x : x + SEEN])
     grey, cover = flat[..., 0].float() / 255, flat[..., 1].float() / 255
-    ground = BACKGROUNDS[torch.from_numpy(rng.integers(0, 3, k * v))][:, :, None, None]
+    ground = BACKGROUNDS[torch.from_numpy(rng.integers(0, 3, len(images)))][:, :, None, None]
     return (grey * cover + ground * (1 - cover)) * 2 - 1
 
 
@@ -52,12 +55,13 @@ class Graded:
         return options[self.rng.integers(len(options))]
 
     def prompts(self, gaps, rows, family):
-        """One prompt for each shape: texts, and squared distances (shapes, prompts).
+        """A prompt for each of the first PROMPTS shapes: texts, and squared distances (shapes, prompts).
 
         Two adjectives are only ever trained on the family's word, one on any noun.
         """
         texts, columns = [], []
-        for i, f in enumerate(family):
+        for i in range(PROMPTS):
+            f = family[i]
             own = list(FAMILIES.values())[f]
             inside = np.flatnonzero(f == OWNER)
             kinds, word = inside[:-1], inside[-1]
@@ -92,7 +96,7 @@ class Shapes:
 
     def __init__(self, folders, rng, held_out=HELD_OUT):
         self.rng = rng
-        self.images = [np.load(Path(f) / "images.npy", mmap_mode="r") for f in folders]
+        self.images = [np.load(Path(f) / "images.npy") for f in folders]
         self.facts = [
             [np.load(Path(f) / f"{name}.npy") for name in ("gaps", "quantities", "family")] for f in folders
         ]
@@ -101,17 +105,19 @@ class Shapes:
         self.order, self.at = [], 0
 
     def batch(self):
-        """Images (SHAPES, 4, s, s, 2) uint8, gaps (SHAPES, names), quantities and families."""
+        """One view each (SHAPES, s, s, 2) uint8, gaps (SHAPES, names), quantities and families."""
         mined = self.rng.binomial(SHAPES, MINED) if len(self.counts) > 1 else 0
         fresh = SHAPES - mined
         if self.at + fresh > len(self.order):
             self.order, self.at = self.rng.permutation(self.counts[0]), 0
-        picks = [(0, i) for i in np.sort(self.order[self.at : self.at + fresh])]
+        picks = [(0, i) for i in self.order[self.at : self.at + fresh]]
         self.at += fresh
         for _ in range(mined):
             f = 1 + int(self.rng.integers(len(self.counts) - 1))
             picks.append((f, int(self.rng.integers(self.counts[f]))))
-        images = np.stack([self.images[f][i] for f, i in picks])
+        picks = [picks[i] for i in self.rng.permutation(SHAPES)]
+        views = self.rng.integers(0, 4, SHAPES)
+        images = np.stack([self.images[f][i, v] for (f, i), v in zip(picks, views, strict=True)])
         gaps, rows, family = (np.stack([self.facts[f][column][i] for f, i in picks]) for column in range(3))
         return images, gaps.astype(np.float32), rows, family
 
@@ -140,23 +146,21 @@ def fit(folders, out, steps, seed, threads, resume=None, rate=2e-3):
         texts, graded_gaps = graded.prompts(gaps, rows, family)
         texts = [p[rng.integers(len(p))] for p in ways] + texts
         gap = torch.from_numpy(np.concatenate([gaps, graded_gaps], 1))
-        owner = np.concatenate([OWNER, family])
+        owner = np.concatenate([OWNER, family[:PROMPTS]])
         near = torch.from_numpy(np.where(owner == family[:, None], 1.0, OTHER_FAMILY).astype(np.float32))
         words = text(torch.tensor(ids.encode(texts)))
         with torch.autocast("cpu", dtype=torch.bfloat16):
             seen = eye(x)
-        each = (seen @ words.T).view(SHAPES, 4, -1)
+        score = seen @ words.T
         wanted = goal(gap)
         weight = near + 2.5 * wanted
-        mean = each.mean(1)
-        loss = (weight * (mean - wanted) ** 2).mean() + 0.3 * (
-            weight[:, None] * (each - wanted[:, None]) ** 2
-        ).mean()
+        loss = (weight * (score - wanted) ** 2).mean()
         loss = (
             loss
             + 0.01
             * (
-                near * binary_cross_entropy_with_logits(14 * (mean - 0.45), torch.exp(-gap), reduction="none")
+                near
+                * binary_cross_entropy_with_logits(14 * (score - 0.45), torch.exp(-gap), reduction="none")
             ).mean()
         )
         if not torch.isfinite(loss):
@@ -167,7 +171,7 @@ def fit(folders, out, steps, seed, threads, resume=None, rate=2e-3):
         schedule.step()
         if step % 200 == 0 or step == steps - 1:
             own = near > OTHER_FAMILY
-            error = (mean - wanted).abs()[own].mean().item()
+            error = (score - wanted).abs()[own].mean().item()
             print(
                 f"net {seed} step {step} loss {loss.item():.4f} error in the family {error:.4f} "
                 f"{time.time() - start:.0f} s",

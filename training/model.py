@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""The two encoders: a small convolutional network for 64 x 64 images, and a bag of words with a head."""
+"""The two encoders: a small convolutional network for the middle of 64 x 64 images, and a bag of words with a
+head.
+"""
 
 import torch
 from text import FILLERS, PAD, UNKNOWN, plural_pairs, vocabulary
@@ -7,12 +9,14 @@ from torch import nn
 from torch.nn.functional import normalize
 
 # Width and stride of each 3 x 3 convolution.
-LAYERS = ((16, 2), (40, 2), (96, 2), (192, 2), (192, 1))
+LAYERS = ((16, 2), (32, 2), (96, 2), (192, 2), (192, 1))
+MARGIN = 8  # pixels that no view reaches: the unit sphere fills three quarters of the image
+SEEN = 48
 EMBEDDING = 128
 
 
 class ImageEncoder(nn.Module):
-    """(k, 3, 64, 64) normalised images to (k, EMBEDDING) unit vectors."""
+    """The middles (k, 3, SEEN, SEEN) of normalised images to (k, EMBEDDING) unit vectors."""
 
     def __init__(self):
         super().__init__()
@@ -25,7 +29,7 @@ class ImageEncoder(nn.Module):
             ]
             last = width
         self.features = nn.Sequential(*layers)
-        self.head = nn.Linear(last * 16, EMBEDDING)
+        self.head = nn.Linear(last * 9, EMBEDDING)
 
     def forward(self, images):
         return normalize(self.head(self.features(images).flatten(1)).float(), dim=-1)

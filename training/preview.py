@@ -10,7 +10,7 @@ import argparse
 import boxmorph
 import numpy as np
 from draw import draw
-from families import load
+from families import FAMILIES
 from PIL import Image, ImageDraw
 from shapes.shape import scale_parts
 from truth import truth
@@ -20,7 +20,7 @@ SIDE = 128
 
 def sheet(module, columns, seed, scaled=0.0, names=None):
     """The sheet as a PIL image."""
-    family = load(module)
+    family = FAMILIES[module]
     rows = names or [*family.kinds, None]
     captions = [(module, k) for k in family.kinds]
     picture = Image.new("RGB", (110 + columns * SIDE, len(rows) * (SIDE + 14)), "white")
@@ -33,7 +33,7 @@ def sheet(module, columns, seed, scaled=0.0, names=None):
             shape = family.build(*draw(family, rng, name), rng)
             if scaled:
                 scale_parts(shape, rng, scaled)
-            gaps, _ = truth(shape, {module: family}, captions)
+            gaps, _ = truth(shape, FAMILIES, captions)
             vertices, triangles = shape.mesh()
             view = boxmorph.render(vertices, triangles, size=SIDE, views="paper", renderer="cpu")[c % 2]
             picture.paste(Image.fromarray(view[..., :3]), (110 + c * SIDE, top))
@@ -43,13 +43,44 @@ def sheet(module, columns, seed, scaled=0.0, names=None):
     return picture
 
 
+def gallery(columns=17, side=96):
+    """One shape of every kind, family by family, on white, as a PIL image."""
+    tiles = [(family, kind) for family in FAMILIES.values() for kind in family.kinds]
+    rows = -(-len(tiles) // columns)
+    picture = Image.new("RGB", (columns * side, rows * (side + 12)), "white")
+    pen = ImageDraw.Draw(picture)
+    for i, (family, kind) in enumerate(tiles):
+        shape = typical(family, kind)
+        vertices, triangles = shape.mesh()
+        view = boxmorph.render(vertices, triangles, size=side, views="paper", renderer="cpu")[0]
+        x, y = i % columns * side, i // columns * (side + 12)
+        tile = Image.fromarray(view, "RGBA")
+        picture.paste(tile, (x, y), tile)
+        pen.text((x + 3, y + side - 2), kind, fill="black", font_size=9)
+    return picture
+
+
+def typical(family, kind, tries=6):
+    """The shape nearest to its kind of a few drawn."""
+    names = [(family.module, kind)]
+    shapes = []
+    for number in range(tries):
+        rng = np.random.default_rng((3, number))
+        shape = family.build(*draw(family, rng, kind), rng)
+        shapes.append((truth(shape, FAMILIES, names)[0][0], number, shape))
+    return min(shapes, key=lambda s: s[:2])[2]
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("family")
+    parser.add_argument("family", help="a module of families.py, or `all` for one shape of every kind")
     parser.add_argument("out")
     parser.add_argument("--kinds", nargs="*")
     parser.add_argument("--columns", type=int, default=8)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--scaled", type=float, default=0.0)
     a = parser.parse_args()
-    sheet(a.family, a.columns, a.seed, a.scaled, a.kinds).save(a.out)
+    if a.family == "all":
+        gallery().save(a.out)
+    else:
+        sheet(a.family, a.columns, a.seed, a.scaled, a.kinds).save(a.out)

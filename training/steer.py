@@ -11,7 +11,7 @@ with another seed and never searched against.
 import argparse
 import json
 import os
-from multiprocessing import Pool
+from multiprocessing import get_context
 from pathlib import Path
 
 os.environ.setdefault("RAYON_NUM_THREADS", "1")  # one search a process
@@ -41,9 +41,9 @@ def drawn(module, number):
     return family.build(*draw(family, rng, kinds[rng.integers(len(kinds))]), rng)
 
 
-def _open(guide, judge):
-    global _guide, _files, _judge  # sessions cannot be sent between processes
-    _guide, _files, _judge = boxmorph.Guide.open(guide, threads=1), GuideFiles(guide), GuideFiles(judge)
+def _open(guide):
+    global _guide, _files  # sessions cannot be sent between processes
+    _guide, _files = boxmorph.Guide.open(guide, threads=1), GuideFiles(guide)
 
 
 def _search(vertices, triangles, prompt, seed):
@@ -60,7 +60,7 @@ def _rank(files, view, prompt):
 
 
 def steer(task):
-    """One row: a mesh searched to a prompt from a seed, judged by both guides and measured."""
+    """One row, and the outcome's views for the judge: a mesh searched to a prompt from a seed, measured."""
     name, vertices, triangles, prompt, seed = task
     result = _search(vertices, triangles, prompt, seed)
     mesh = boxmorph.Mesh(vertices, triangles)
@@ -68,19 +68,19 @@ def steer(task):
     scores = _files.shapes(np.stack(line)) @ _files.words([prompt])[0]
     span = max(np.ptp(scores), 1e-9)
     ratio = boxmorph.metrics.self_intersection_ratio
-    return {
+    row = {
         "mesh": name,
         "prompt": prompt,
         "seed": seed,
         "before": round(float(result.score_before), 3),
         "after": round(float(result.score_after), 3),
         "rank": _rank(_files, line[-1], prompt),
-        "judge": _rank(_judge, line[-1], prompt),
         "normal error": round(float(boxmorph.metrics.normal_error(mesh, result.vertices)), 3),
         "intersection": round(float(ratio(mesh, result.vertices) - ratio(mesh, vertices)), 4),
         "dip": round(float(np.maximum(np.maximum.accumulate(scores) - scores, 0).max() / span), 3),
         "seconds": round(result.seconds, 2),
     }
+    return row, line[-1]
 
 
 def adjust(task):
@@ -107,10 +107,12 @@ def adjust(task):
 def tasks_of_meshes(guide, folder, seeds):
     """Every mesh of the folder to every kind of the family that the guide takes it for."""
     families = GuideFiles(guide).config["boxmorph"]["families"]
-    for name, best in name_meshes(GuideFiles(guide), folder).items():
-        kinds = next(kinds for kinds in families.values() if best[0][0] in kinds)
-        vertices, triangles = read_obj(Path(folder) / f"{name}.obj")
-        yield from ((name, vertices, triangles, kind, seed) for kind in kinds for seed in range(seeds))
+    named = name_meshes(GuideFiles(guide), folder)
+    for seed in range(seeds):
+        for name, best in named.items():
+            kinds = next(kinds for kinds in families.values() if best[0][0] in kinds)
+            vertices, triangles = read_obj(Path(folder) / f"{name}.obj")
+            yield from ((name, vertices, triangles, kind, seed) for kind in kinds)
 
 
 def tasks_of_families(shapes, seeds):
@@ -196,8 +198,16 @@ def main():
         work, tasks = steer, list(tasks_of_meshes(a.guide, a.meshes, a.seeds))
     else:
         work, tasks = steer, list(tasks_of_families(a.shapes, a.seeds))
-    with Pool(a.processes, _open, (a.guide, a.judge)) as pool:
-        rows = pool.map(work, tasks, chunksize=4)
+    # Not forked: the renderer's threads, once started here, would be missing there.
+    with get_context("spawn").Pool(a.processes, _open, (a.guide,)) as pool:
+        rows = []
+        for row in pool.imap(work, tasks, chunksize=2):
+            rows.append(row)
+            if len(rows) % 50 == 0:
+                print(f"{len(rows)} of {len(tasks)}", flush=True)
+    if not a.adjectives:
+        judge = GuideFiles(a.judge)
+        rows = [{**row, "judge": _rank(judge, view, row["prompt"])} for row, view in rows]
     (a.out / "steering.json").write_text("[\n" + ",\n".join(json.dumps(r) for r in rows) + "\n]\n")
     if a.adjectives:
         right = {m: np.mean([r["moved"] > 0 for r in rows if r["family"] == m]) for m in FAMILIES}
@@ -205,7 +215,7 @@ def main():
         print("moved the right way:", np.mean([r["moved"] > 0 for r in rows]).round(3), "of", len(rows))
         return
     print(json.dumps(summary(rows), indent=2))
-    _open(a.guide, a.judge)
+    _open(a.guide)
     sheet(sorted(rows, key=badness)[-10:], tasks).save(a.out / "worst.png")
 
 

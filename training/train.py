@@ -19,10 +19,9 @@ from generate import generate
 from mine import mine
 
 HERE = Path(__file__).parent
-# Each round: batches trained, highest learning rate, searches mined with the guide it leaves. The first only
-# makes something to search with: the second starts from scratch.
-ROUNDS = ((2000, 2e-3, 700), (6500, 2e-3, 1000), (8000, 1.5e-3, 0))
-JUDGE = (8000, 2e-3)
+# Each round: batches trained, highest learning rate, searches mined with the guide it leaves.
+ROUNDS = ((6000, 5e-3, 600), (5000, 4e-3, 600), (6000, 4e-3, 0))
+JUDGE = (7000, 5e-3)
 
 
 def finish(jobs):
@@ -31,9 +30,9 @@ def finish(jobs):
         sys.exit("training: a step failed; see the message above")
 
 
-def fit(out, folders, steps, rate, seed, resume=False):
+def fit(out, folders, steps, rate, seed, resume=None):
     """A network's training in a process of its own, on one core."""
-    options = ["--steps", steps, "--rate", rate, "--seed", seed, *(["--resume", out] if resume else [])]
+    options = ["--steps", steps, "--rate", rate, "--seed", seed, *(["--resume", resume] if resume else [])]
     return subprocess.Popen([sys.executable, *map(str, [HERE / "fit.py", out, *folders, *options])])
 
 
@@ -44,7 +43,7 @@ def main():
         "--out",
         type=Path,
         default=HERE / "out",
-        help="folder for shapes and weights; shapes already drawn there are used again",
+        help="folder for shapes and weights; a run cut off goes on after its last step",
     )
     parser.add_argument(
         "--guide", type=Path, default=HERE.parent / "guides" / "mini", help="folder to write the guide to"
@@ -55,15 +54,21 @@ def main():
     parser.add_argument("--short", type=int, default=1, help="divide all counts by this, to try the pipeline")
     parser.add_argument("--meshes", type=Path, help="folder of unseen .obj files to name")
     a = parser.parse_args()
-    start, record = time.time(), []
+    done = a.out / "rounds.json"
+    record = json.loads(done.read_text()) if done.is_file() else []
+    start = time.time() - 60 * (record[-1]["minutes"] if record else 0)
     base = a.out / "base"
     if not (base / "usual.npz").is_file():
         generate(base, max(a.count // a.short, 4000), a.seed)
-    folders, weights = [base], [a.out / f"net{n}.pt" for n in range(a.nets)]
+    folders = [base]
     for number, (steps, rate, searches) in enumerate(ROUNDS):
-        steps = max(steps // a.short, 20)
-        seed = a.seed + 10 * number
-        finish([fit(w, folders, steps, rate, seed + n, number > 1) for n, w in enumerate(weights)])
+        if number < len(record):
+            folders.append(a.out / f"mined{number}")
+            continue
+        steps, seed = max(steps // a.short, 20), a.seed + 10 * number
+        weights = [a.out / f"net{n}-{number}.pt" for n in range(a.nets)]
+        before = [a.out / f"net{n}-{number - 1}.pt" if number else None for n in range(a.nets)]
+        finish([fit(w, folders, steps, rate, seed + n, before[n]) for n, w in enumerate(weights)])
         export(weights, a.guide)
         figures = {"round": number, "held out": held_out(GuideFiles(a.guide), base)}
         if searches:
@@ -71,7 +76,7 @@ def main():
             figures["mined"] = mine(a.guide, folders[-1], max(searches // a.short, 20), a.seed + number)
         figures["minutes"] = round((time.time() - start) / 60, 1)
         record.append(figures)
-        (a.out / "rounds.json").write_text(json.dumps(record, indent=2) + "\n")
+        done.write_text(json.dumps(record, indent=2) + "\n")
         print(json.dumps(figures), flush=True)
     steps, rate = JUDGE
     finish([fit(a.out / "judge.pt", folders, max(steps // a.short, 20), rate, a.seed + 100)])

@@ -80,7 +80,7 @@ def test_a_prompt_of_unknown_words_alone_is_refused(chair, guide):
 
 
 @pytest.mark.parametrize(
-    "prompt, meant", [("a chiar", "chair"), ("glidre", "glider"), ("a wardrob", "wardrobe")]
+    "prompt, meant", [("a chiar", "chair"), ("glidre", "glider"), ("a zepelin", "zeppelin")]
 )
 def test_a_misspelt_prompt_is_refused_with_the_nearest_known_word(guide, prompt, meant):
     with pytest.raises(ValueError, match=f"The nearest it knows: {meant}"):
