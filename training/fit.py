@@ -18,7 +18,7 @@ from torch.nn.functional import binary_cross_entropy_with_logits
 NAMED = {bag(phrase) for name in NAMES for phrase in phrases(name)}
 BACKGROUNDS = torch.tensor([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [1.0, 0.5, 0.0]])
 SHAPES = 160  # shapes a batch, one view each: many shapes teach more than many views
-PROMPTS = 40  # of them that get a prompt with an adjective
+PROMPTS = 60  # of them that get a prompt with an adjective
 MINED = 0.4  # share of a batch that comes from searches, once there are any
 HELD_OUT = 3000  # shapes at the end of the first folder that no net is trained on
 OTHER_FAMILY = 0.2  # weight of a pair whose shape and prompt are of different families
@@ -26,10 +26,12 @@ OWNER = np.array([list(FAMILIES).index(module) for module, _ in NAMES])
 
 
 def goal(gap):
-    """The cosine wanted at a squared distance: near 0.9 inside a kind, with a tail long enough to climb
-    from afar.
+    """The cosine wanted at a squared distance: 0.9 inside a kind, falling in three lengths.
+
+    A peak to rank by, a slope to climb, and a tail that still points home from the far end of the family.
     """
-    return 0.55 * torch.exp(-gap) + 0.35 * torch.exp(-0.7 * gap.clamp(min=1e-6).sqrt())
+    root = gap.clamp(min=1e-6).sqrt()
+    return 0.5 * torch.exp(-gap) + 0.28 * torch.exp(-0.7 * root) + 0.12 * torch.exp(-0.25 * root)
 
 
 def composite(images, rng):

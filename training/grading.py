@@ -9,9 +9,9 @@ import numpy as np
 from families import FAMILIES, NAMES
 from shapes.attributes import attributes
 
-FULL = 1.4  # steps from the usual value at which an adjective holds fully
-SLOPE = 0.8  # squared sigmas per squared step short of that
-KIND_SHARE = 0.6  # how much of the distance to the noun counts beside an adjective
+FULL = 2.5  # steps from the usual value at which an adjective holds fully
+SLOPE = 0.4  # squared sigmas per squared step short of that
+KIND_SHARE = 0.4  # how much of the distance to the noun counts beside an adjective
 WIDTH = max(len(f.quantities) for f in FAMILIES.values())
 
 

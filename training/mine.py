@@ -27,7 +27,7 @@ from truth import truth
 
 LOWEST, HIGHEST = np.log(0.3), np.log(3.1)
 KEPT_EARLY, KEPT_BEST, KEPT_DISPUTED = 5, 10, 5
-ADJECTIVES = 0.2  # share of searches towards an adjective
+ADJECTIVES = 0.3  # share of searches towards an adjective
 GENERATIONS, SIZE = 8, 16
 BELIEVED, TRUE = 0.5, 0.2  # a score above the first with a truth below the second is a hole in the guide
 

@@ -20,8 +20,8 @@ from mine import mine
 
 HERE = Path(__file__).parent
 # Each round: batches trained, highest learning rate, searches mined with the guide it leaves.
-ROUNDS = ((6000, 5e-3, 600), (5000, 4e-3, 600), (6000, 4e-3, 0))
-JUDGE = (7000, 5e-3)
+ROUNDS = ((9000, 5e-3, 700), (8000, 4e-3, 700), (8000, 4e-3, 700), (12000, 4e-3, 0))
+JUDGE = (9000, 5e-3)
 
 
 def finish(jobs):

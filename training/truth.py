@@ -7,7 +7,7 @@ SIGMA = 0.3
 FAULT_SIGMA = 0.35
 DAMAGE = 3.0  # squared sigmas of a shape that is wholly broken
 LOOKALIKE = 0.7  # what a stool lacks to be a side table, and the reverse: the eye cannot tell, the maker can
-FAR = 60.0
+FAR = 400.0  # of another family: nothing is left to climb
 
 
 def distance(family, kind, proportions, traits):

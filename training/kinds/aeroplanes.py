@@ -16,6 +16,10 @@ ADJECTIVES = {name: meaning for name, meaning in LYING.items() if name not in ("
 }
 KINDS = {
     "airliner": kind(
+        "business jet",
+        "private jet",
+        "executive jet",
+        "corporate jet",
         "passenger plane",
         "passenger jet",
         "jet airliner",
@@ -43,19 +47,6 @@ KINDS = {
         sweep=(0.35, 0.8),
         tail=(0.3, 0.46),
         fin=(0.16, 0.3),
-    ),
-    "business jet": kind(
-        "private jet",
-        "executive jet",
-        "corporate jet",
-        traits={"engines": (("rear",), 0.8), "level": (("low",), 0.1), "fins": (("tee",), 0.5)},
-        span=(0.75, 1.12),
-        slim=(0.08, 0.135),
-        chords=(5.5, 9.5),
-        sweep=(0.2, 0.55),
-        tail=(0.3, 0.46),
-        fin=(0.15, 0.27),
-        perch=(0.07, 0.3, 0.5),
     ),
     "cargo plane": kind(
         "transport plane",
@@ -177,6 +168,11 @@ KINDS = {
         fin=(0.12, 0.25),
     ),
     "propeller plane": kind(
+        "racing plane",
+        "racer plane",
+        "air racer",
+        "stunt plane",
+        "aerobatic plane",
         "prop plane",
         "light aircraft",
         "light plane",
@@ -190,19 +186,6 @@ KINDS = {
         chords=(5.2, 8.5),
         sweep=(-0.04, 0.2),
         tail=(0.32, 0.48),
-        fin=(0.13, 0.26),
-    ),
-    "racing plane": kind(
-        "racer plane",
-        "air racer",
-        "stunt plane",
-        "aerobatic plane",
-        traits={"engines": (("nose",), 0.6), "fins": (("low",), 0), "biplane": ((False,), 0.4)},
-        span=(0.66, 1.0),
-        slim=(0.115, 0.185),
-        chords=(3.6, 5.8),
-        sweep=(-0.04, 0.24),
-        tail=(0.26, 0.42),
         fin=(0.13, 0.26),
     ),
     "biplane": kind(

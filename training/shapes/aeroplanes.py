@@ -73,8 +73,6 @@ def measure(shape):
         found, wrong = _measure_wing(right[0], size, flat)
         m |= found
         faults += wrong
-        if m["tail"] > 0:
-            faults += [0.6 * outside(m["tail"] / m["span"], 0.04, 1.3)]
     if tail is not None:
         t = np.ptp(tail, 0)
         m |= {"tail": t[0] / length, "perch": max(tail[:, 2].mean() - axis - 0.3 * size[2], 0) / length}

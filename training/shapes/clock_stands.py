@@ -19,7 +19,7 @@ def add_trunk(shape, rng, foot, low, depth, neck):
         return
     back = depth * min(1.0, max(neck, 0.6)) / 2 * rng.uniform(0.85, 1.0)
     corner = rng.choice([0.0, 0.04])
-    shape.add("trunk", block((-half, -back, 0.9 * foot), (half, back, low + 0.01), corner), at, "case")
+    shape.add("trunk", block((-half, -back, 0.9 * foot), (half, back, low + 0.01), 0.0, corner), at, "case")
     rise = low - foot
     if rng.random() < 0.6:
         w, z = 0.7 * half, (foot + 0.1 * rise, foot + 0.9 * rise)

@@ -115,7 +115,7 @@ def _neck(shape, rng, form, width, deep, grip, neck):
     shape.add("neck", (board[0] * squeeze, board[1]), at, "body")
     if form != "horned" and rng.random() < 0.6:
         heel = min(0.9 * deep, 3 * thick)
-        foot = block((-grip * 0.3, y, 0.97), (grip * 0.3, min(y + heel, 0.45 * deep + y * 0.01), 1.04))
+        foot = block((-grip * 0.3, y, 0.97), (grip * 0.3, min(y + heel, 0.45 * deep), 1.04))
         shape.add("neck", foot, at, "body")
     return np.array([0, y, top]), grip * taper, thick
 

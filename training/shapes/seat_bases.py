@@ -49,15 +49,10 @@ def add_base(shape, rng, hx, hy, bottom, leg, base, is_round):
             ]
         shape.add("leg", lathe(profile, sides=14), (0, 0, top), "seat")
     elif base == "sled":
-        x = hx * (1 - inset) - half
-        for y in (-1, 1):
-            foot = (x, y * (hy - half), half)
-            shape.add_pair(
-                "leg",
-                bar((x, y * (hy - half), top), foot, half * 0.8, sides=rng.choice([4, 8])),
-                (x, 0, top),
-                "seat",
-            )
+        x, sides = hx * (1 - inset) - half, rng.choice([4, 8])
+        for y in (half - hy, hy - half):
+            post = bar((x, y, top), (x, y, half), half * 0.8, sides=sides)
+            shape.add_pair("leg", post, (x, 0, top), "seat")
         shape.add_pair("leg", bar((x, -hy, half), (x, hy, half), half * 0.8), (x, 0, top), "seat")
     elif base == "panels":
         x = hx - half

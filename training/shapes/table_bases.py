@@ -16,18 +16,14 @@ def add_base(shape, rng, hx, hy, top, leg, base, sides):
     elif base == "tee":
         _tee(shape, rng, hx, hy, top, half)
     elif base == "trestle":
-        for s in (-1, 1):
-            for side in (-1, 1):
-                at = (s * x * 0.85, side * 0.12 * y, top)
-                shape.add("leg", bar(at, (s * x * 0.85, side * y, 0), half), at, "top")
-            if rng.random() < 0.7:
-                z = top * rng.uniform(0.25, 0.5)
-                shape.add(
-                    "rail",
-                    bar((s * x * 0.85, -0.7 * y, z), (s * x * 0.85, 0.7 * y, z), half * 0.6),
-                    at,
-                    "top",
-                )
+        out = x * 0.85
+        for side in (-1, 1):
+            at = (out, side * 0.12 * y, top)
+            shape.add_pair("leg", bar(at, (out, side * y, 0), half), at, "top")
+        if rng.random() < 0.7:
+            z = top * rng.uniform(0.25, 0.5)
+            rail = bar((out, -0.7 * y, z), (out, 0.7 * y, z), half * 0.6)
+            shape.add_pair("rail", rail, (out, 0, top), "top")
     elif base == "panels":
         shape.add_pair("leg", block((hx - leg, -hy, 0), (hx, hy, top)), (hx, 0, top), "top")
         if rng.random() < 0.5:
