@@ -22,7 +22,7 @@ def add_wing_engines(shape, rng, engines, radius, w):
         y, z = y - length * rng.uniform(0.4, 0.7), z - (0.2 if prop else 1.25) * r
         shape.add_pair("engine", _pod(x, y, z, r, length), attach, "wing")
         if prop:
-            _propeller(shape, rng, (x, y, z), min(r * 3, x - radius * 0.8), attach, "wing", shape.add_pair)
+            _propeller(rng, (x, y, z), min(r * 3, x - radius * 0.8), attach, "wing", shape.add_pair)
         else:
             pylon = block((x - 0.1 * r, y + 0.5 * length, z), (x + 0.1 * r, y + 1.1 * length, z + 1.25 * r))
             shape.add_pair("pylon", pylon, attach, "wing")
@@ -46,7 +46,7 @@ def add_body_engines(shape, rng, engines, radius):
         )
     else:
         y, reach = -0.5 if engines == "nose" else 0.5, np.clip(radius * rng.uniform(1.5, 2.4), 0.09, 0.3)
-        _propeller(shape, rng, (0, y, 0), reach, (0, y * 0.97, 0), "fuselage", shape.add)
+        _propeller(rng, (0, y, 0), reach, (0, y * 0.97, 0), "fuselage", shape.add)
 
 
 def _pod(x, y, z, r, length):
@@ -55,7 +55,7 @@ def _pod(x, y, z, r, length):
     return np.column_stack([v[:, 0] + x, v[:, 2] + y, v[:, 1] + z]), f[:, ::-1]
 
 
-def _propeller(shape, rng, center, reach, attach, parent, put):
+def _propeller(rng, center, reach, attach, parent, put):
     """A hub with blades, added by `put` (one part or a pair)."""
     center = np.asarray(center)
     hub, blade = 0.16 * reach, 0.1 * reach

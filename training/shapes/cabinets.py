@@ -166,7 +166,7 @@ def measure(shape):
         faults += [outside(s, 0.88, 1.2) for s in spread[:2]]
         faults += [0.7 * outside(spread[2], 0.004, 0.7)]
     if leg is not None:
-        faults += _leg_faults(shape, leg, size, m["legs"])
+        faults += _leg_faults(shape, leg, size)
         faults += [0.8 * outside(1 + 3 * (leg[:, 2].min() - floor) / height, 1.0, 1.05)]
     return m, faults
 
@@ -199,7 +199,7 @@ def _shelf_faults(shape, size, top):
     return faults
 
 
-def _leg_faults(shape, leg, size, legs):
+def _leg_faults(shape, leg, size):
     sizes = np.array([np.ptp(p.vertices, 0) for p in shape.parts if p.label == "leg"])
     sizes = sizes[sizes[:, 2] > 0.5 * sizes[:, 2].max()]
     spread = np.ptp(leg, 0)[:2] / size[:2]

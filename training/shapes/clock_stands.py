@@ -74,7 +74,7 @@ def add_foot(shape, rng, foot, depth, spread, trunk, neck, is_round):
             shape.add_pair("foot", fit(ball, center - half, center + half), at, parent)
 
 
-def add_weights(shape, rng, low, height, depth):
+def add_weights(shape, rng, low, height):
     """Add what hangs below a clock on a wall: a pendulum, perhaps two weights on chains."""
     at, drop = (0, 0, low), height * rng.uniform(0.2, 0.5)
     bob = upright_slab(outline(14) * 0.12, -0.03, 0.03)

@@ -59,7 +59,7 @@ def build(p, traits, rng):
     elif top:
         add_top(shape, rng, high, top, depth, p["eave"], is_round)
     if rng.random() < (0.5 if p["eave"] > 1.15 and top > 0.2 * height else 0.1) and not (foot or trunk):
-        add_weights(shape, rng, low, height, depth)
+        add_weights(shape, rng, low, height)
     return shape
 
 

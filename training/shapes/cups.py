@@ -40,7 +40,7 @@ def build(p, traits, rng):
     sides = int(rng.choice([12, 16, 20]))
     full = 1 / np.cos(np.pi / sides)
     plan = {"sides": sides, "squash": (full, full)}
-    outer = _wall(rng, p, rise, base, lid)
+    outer = _wall(rng, p, rise, base)
     _body(shape, rng, outer, plan, lid)
     if rise:
         _stand(shape, rng, rise, base, outer[0][0], plan)
@@ -63,7 +63,7 @@ def _usual_grip(p, rng):
     return str(rng.choice(["ear", "ear", "ears"]))
 
 
-def _wall(rng, p, low, base, lid):
+def _wall(rng, p, low, base):
     """The outside of the body as (radius, z), from the bottom up to the rim."""
     tall = p["height"] - low
     bottom, belly, mouth = base, 1.0, 0.5

@@ -38,7 +38,7 @@ def build(p, traits, rng):
     deep = p["depth"] * width
     _body(shape, rng, form, width, deep)
     joint = _neck(shape, rng, form, width, deep, p["grip"] * width, p["neck"])
-    _head(shape, rng, form, p["grip"] * width, joint, p["head"])
+    _head(shape, rng, form, joint, p["head"])
     _bridge(shape, rng, form, width, deep)
     if p["pin"] > 0.01:
         r = rng.uniform(0.018, 0.03) * width
@@ -120,7 +120,7 @@ def _neck(shape, rng, form, width, deep, grip, neck):
     return np.array([0, y, top]), grip * taper, thick
 
 
-def _head(shape, rng, form, grip, joint, head):
+def _head(shape, rng, form, joint, head):
     """The head from the neck's end: bent back, a scroll or a plate, with pegs."""
     at, wide, thick = joint
     y, top = at[1], at[2]

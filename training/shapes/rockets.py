@@ -48,7 +48,7 @@ def build(p, traits, rng):
     if with_fins:
         _fins(shape, rng, p, low, foot)
     if p["boosters"] > 0.08:
-        _boosters(shape, rng, p, low, high, split, foot)
+        _boosters(shape, rng, p, low, foot)
     if p["stick"] > 0.08:
         r = rng.uniform(0.04, 0.09)
         y = rng.choice([0.0, low + r * 0.7])
@@ -147,7 +147,7 @@ def _fins(shape, rng, p, radius, foot):
         shape.add("fin", (v, f), (0.8 * radius * c, 0.8 * radius * s, base + root / 2), "body")
 
 
-def _boosters(shape, rng, p, low, high, split, foot):
+def _boosters(shape, rng, p, low, foot):
     height = p["boosters"] * p["slender"]
     r = rng.uniform(0.2, 0.5) if rng.random() < 0.5 else low * rng.uniform(0.7, 1.0)
     r = min(r, height / 5)

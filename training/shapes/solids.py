@@ -186,12 +186,6 @@ def wing(root, tip, root_chord, tip_chord, thickness, steps=5, vertical=False, c
     return loft(rings)
 
 
-def mirrored(solid):
-    """The solid reflected in x = 0, orientation kept outward."""
-    vertices, faces = solid
-    return vertices * (-1, 1, 1), faces[:, ::-1]
-
-
 def upright_slab(plan, y0, y1, bevel=0.0):
     """Prism over an outline in x and z, from y0 to y1."""
     v, f = slab(plan, y0, y1, bevel)
