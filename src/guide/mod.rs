@@ -30,6 +30,9 @@ const IMAGE_BATCH: usize = 12;
 /// Longest prompt taken, in characters: guides read some tens of words at most.
 const MAX_PROMPT: usize = 1000;
 
+/// Unknown words named in one refusal.
+const NAMED: usize = 6;
+
 /// Names given as examples where nothing the guide knows is spelled like the prompt.
 const EXAMPLES: usize = 8;
 
@@ -150,7 +153,8 @@ impl Guide {
         if text::naming_words(prompt, &unknown) > 0 {
             return Ok(());
         }
-        let nearest: Vec<String> = unknown.iter().flat_map(|word| self.nearest_words(word, 2)).collect();
+        let named = &unknown[..unknown.len().min(NAMED)];
+        let nearest: Vec<String> = named.iter().flat_map(|word| self.nearest_words(word, 2)).collect();
         let hint = if !nearest.is_empty() {
             format!("The nearest it knows: {}", nearest.join(", "))
         } else if !self.classes.is_empty() {
@@ -158,7 +162,7 @@ impl Guide {
         } else {
             "Name an object".to_owned()
         };
-        let words = if unknown.is_empty() { prompt.trim().to_owned() } else { unknown.join(", ") };
+        let words = if named.is_empty() { prompt.trim().to_owned() } else { named.join(", ") };
         Err(GuideError::UnknownPrompt { words, hint })
     }
 

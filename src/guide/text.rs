@@ -17,6 +17,8 @@ const UNKNOWN_TOKENS: [&str; 2] = ["[UNK]", "<unk>"];
 /// A guide's tokenizer.
 pub struct Text {
     tokenizer: Tokenizer,
+    /// The same without a longest text: a word beyond it is still to be named if unknown.
+    whole: Tokenizer,
     unknown: Vec<u32>,
 }
 
@@ -30,12 +32,14 @@ impl Text {
     pub fn new(json: &[u8], max_tokens: Option<usize>) -> Result<Self, GuideError> {
         let bad = |reason: String| GuideError::BadJson { file: "tokenizer.json", reason };
         let mut tokenizer = Tokenizer::from_bytes(json).map_err(|e| bad(e.to_string()))?;
+        let mut whole = tokenizer.clone();
+        whole.with_truncation(None).map_err(|e| bad(e.to_string()))?;
         if let Some(max_length) = max_tokens {
             let truncation = TruncationParams { max_length, ..Default::default() };
             tokenizer.with_truncation(Some(truncation)).map_err(|e| bad(e.to_string()))?;
         }
         let unknown = UNKNOWN_TOKENS.iter().filter_map(|token| tokenizer.token_to_id(token)).collect();
-        Ok(Self { tokenizer, unknown })
+        Ok(Self { tokenizer, whole, unknown })
     }
 
     pub fn encode(&self, text: &str) -> Result<Tokens, GuideError> {
@@ -52,7 +56,7 @@ impl Text {
     }
 
     pub fn unknown_words(&self, text: &str) -> Result<Vec<String>, GuideError> {
-        let encoding = self.tokenizer.encode(text, false).map_err(|e| GuideError::Tokenize(e.to_string()))?;
+        let encoding = self.whole.encode(text, false).map_err(|e| GuideError::Tokenize(e.to_string()))?;
         let mut words: Vec<String> = Vec::new();
         for (id, (start, end)) in encoding.get_ids().iter().zip(encoding.get_offsets()) {
             let word = text.get(*start..*end).unwrap_or_default();

@@ -94,6 +94,12 @@ def test_a_misspelt_word_among_known_ones_has_a_nearest(guide):
     assert guide.nearest_words("zorblax") == []
 
 
+def test_a_refusal_names_a_few_words_only(guide):
+    with pytest.raises(ValueError) as refused:
+        guide.check_prompt(" ".join(f"zorblax{i}q" for i in range(90)))
+    assert len(str(refused.value)) < 400
+
+
 @pytest.mark.parametrize("prompt", ["the of a", "!?", "with a"])
 def test_a_prompt_that_names_nothing_is_refused(guide, prompt):
     with pytest.raises(ValueError, match="no word of this prompt that names a shape"):
