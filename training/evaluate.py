@@ -13,6 +13,8 @@ import onnxruntime
 from families import FAMILIES, NAMES
 from fit import HELD_OUT
 from generate import SIZE, grey_views
+from kinds.adjectives import forms
+from prompts import OWNER, Graded, held_back
 from tokenizers import Tokenizer
 
 BACKGROUNDS = np.array([[0, 0, 0], [255, 255, 255], [255, 128, 0]], np.float32)
@@ -76,6 +78,38 @@ def held_out(guide, folder, count=HELD_OUT):
     return figures
 
 
+def order(values):
+    """The rank of every value."""
+    return np.argsort(np.argsort(values))
+
+
+def combinations(guide, folder, count=HELD_OUT, prompts=400):
+    """Mean rank correlation of score and truth, among a family's held-out shapes, for prompts of a kind and
+    two adjectives: those that training may say, and those that it never does.
+    """
+    rng = np.random.default_rng(0)
+    graded = Graded(folder, rng)
+    images = np.load(Path(folder) / "images.npy", mmap_mode="r")[-count:]
+    facts = [np.load(Path(folder) / f"{n}.npy", mmap_mode="r") for n in ("gaps", "quantities", "family")]
+    gaps, rows, family = (f[-count:] for f in facts)
+    seen = np.concatenate([guide.shapes(images[i : i + 100]) for i in range(0, len(images), 100)])
+    found = {True: [], False: []}
+    for _ in range(prompts):
+        f = rng.integers(len(FAMILIES))
+        adjectives = list(list(FAMILIES.values())[f].adjectives)
+        n = rng.choice(np.flatnonzero(f == OWNER)[:-1])
+        wanted = list(rng.choice(adjectives, 2, replace=False))
+        text = f"{forms(wanted[0])[0]} {forms(wanted[1])[0]} {NAMES[n][1]}"
+        inside = family == f
+        score = seen[inside] @ guide.words([text])[0]
+        gap = graded.gap(n, wanted, gaps[inside], rows[inside])
+        found[held_back(n, wanted)].append(np.corrcoef(order(score), order(-gap))[0, 1])
+    return {
+        "said": round(float(np.mean(found[False])), 3),
+        "never said": round(float(np.mean(found[True])), 3),
+    }
+
+
 def read_obj(path):
     """Vertices and triangles of a y-up .obj file, turned z up."""
     vertices, triangles = [], []
@@ -109,5 +143,6 @@ if __name__ == "__main__":
     opened = GuideFiles(arguments.guide)
     if arguments.data:
         print(json.dumps(held_out(opened, arguments.data), indent=2))
+        print("two adjectives:", json.dumps(combinations(opened, arguments.data)))
     if arguments.meshes:
         print(json.dumps(name_meshes(opened, arguments.meshes), indent=2))

@@ -7,22 +7,18 @@ from pathlib import Path
 
 import numpy as np
 import torch
-from families import FAMILIES, NAMES
-from grading import KIND_SHARE, lack
-from kinds.adjectives import forms
+from families import NAMES
 from model import MARGIN, SEEN, ImageEncoder, TextEncoder
-from text import Words, bag, phrases
+from prompts import OWNER, Graded
+from text import Words, phrases
 from torch.nn.functional import binary_cross_entropy_with_logits
 
-# What names a thing already cannot be an adjective as well: "a high chair", "a heavy rocket".
-NAMED = {bag(phrase) for name in NAMES for phrase in phrases(name)}
 BACKGROUNDS = torch.tensor([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [1.0, 0.5, 0.0]])
 SHAPES = 160  # shapes a batch, one view each: many shapes teach more than many views
-PROMPTS = 60  # of them that get a prompt with an adjective
+PROMPTS = 90  # of them that get a prompt with an adjective
 MINED = 0.4  # share of a batch that comes from searches, once there are any
 HELD_OUT = 3000  # shapes at the end of the first folder that no net is trained on
 OTHER_FAMILY = 0.2  # weight of a pair whose shape and prompt are of different families
-OWNER = np.array([list(FAMILIES).index(module) for module, _ in NAMES])
 
 
 def goal(gap):
@@ -43,52 +39,6 @@ def composite(images, rng):
     grey, cover = flat[..., 0].float() / 255, flat[..., 1].float() / 255
     ground = BACKGROUNDS[torch.from_numpy(rng.integers(0, 3, len(images)))][:, :, None, None]
     return (grey * cover + ground * (1 - cover)) * 2 - 1
-
-
-class Graded:
-    """Prompts with adjectives for the shapes of a batch: "a tall bar stool", "a low wide table"."""
-
-    def __init__(self, base, rng):
-        self.rng = rng
-        stored = np.load(Path(base) / "usual.npz")
-        self.center, self.step = stored["center"], stored["step"]
-
-    def _pick(self, options):
-        return options[self.rng.integers(len(options))]
-
-    def prompts(self, gaps, rows, family):
-        """A prompt for each of the first PROMPTS shapes: texts, and squared distances (shapes, prompts).
-
-        Two adjectives are only ever trained on the family's word, one on any noun.
-        """
-        texts, columns = [], []
-        for i in range(PROMPTS):
-            f = family[i]
-            own = list(FAMILIES.values())[f]
-            inside = np.flatnonzero(f == OWNER)
-            kinds, word = inside[:-1], inside[-1]
-            choice = self.rng.random()
-            n = (
-                word
-                if choice < 0.3
-                else kinds[gaps[i, kinds].argmin()]
-                if choice < 0.75
-                else self._pick(kinds)
-            )
-            wanted = [self._pick(list(own.adjectives))]
-            if n == word and self.rng.random() < 0.5:
-                wanted.append(self._pick(list(own.adjectives)))
-            text, lacks = self._pick(phrases(NAMES[n])), 0.0
-            for adjective in dict.fromkeys(wanted):
-                quantity, sign = own.adjectives[adjective]
-                q = own.quantities.index(quantity)
-                said = [f"{form} {text}" for form in forms(adjective)]
-                text = self._pick([s for s in said if bag(s) not in NAMED])
-                steps = sign * (rows[:, q] - self.center[n, q]) / self.step[f, q]
-                lacks = lacks + np.where(family == f, lack(steps), 2.0)
-            texts.append(text)
-            columns.append(KIND_SHARE * gaps[:, n] + lacks)
-        return texts, np.stack(columns, 1).astype(np.float32)
 
 
 class Shapes:
@@ -145,7 +95,7 @@ def fit(folders, out, steps, seed, threads, resume=None, rate=2e-3):
     for step in range(steps):
         pictures, gaps, rows, family = shapes.batch()
         x = composite(pictures, rng).contiguous(memory_format=torch.channels_last)
-        texts, graded_gaps = graded.prompts(gaps, rows, family)
+        texts, graded_gaps = graded.prompts(PROMPTS, gaps, rows, family)
         texts = [p[rng.integers(len(p))] for p in ways] + texts
         gap = torch.from_numpy(np.concatenate([gaps, graded_gaps], 1))
         owner = np.concatenate([OWNER, family[:PROMPTS]])

@@ -14,6 +14,7 @@ mod suggest;
 mod text;
 
 use std::path::Path;
+use std::sync::OnceLock;
 
 pub use error::GuideError;
 pub use runtime::set_default_library;
@@ -44,6 +45,7 @@ pub struct Guide {
     name: String,
     hash: String,
     classes: Vec<String>,
+    class_embeddings: OnceLock<Vec<f32>>,
     preprocess: Preprocess,
     text: Text,
     vision: Encoder,
@@ -75,6 +77,7 @@ impl Guide {
         let mut guide = Self {
             hash: files.hash(),
             classes: files.classes(),
+            class_embeddings: OnceLock::new(),
             name: files.name,
             preprocess,
             text,
@@ -123,6 +126,16 @@ impl Guide {
         let mut embedding = self.text_encoder.encode_tokens(&tokens)?;
         normalise(&mut embedding)?;
         Ok(embedding)
+    }
+
+    /// Unit embeddings, `names × dimension`, of [`Guide::classes`].
+    pub fn class_embeddings(&self) -> Result<&[f32], GuideError> {
+        if let Some(known) = self.class_embeddings.get() {
+            return Ok(known);
+        }
+        let each: Result<Vec<_>, _> = self.classes.iter().map(|name| self.text_embedding(name)).collect();
+        let all = each?.concat();
+        Ok(self.class_embeddings.get_or_init(|| all))
     }
 
     /// Unit embeddings, `count × dimension`, of `count` RGB images (`count × size × size × 3` bytes).

@@ -11,7 +11,7 @@ use super::{JobError, JobSpec};
 use crate::boxdef::BoxDefGraph;
 use crate::render::{self, View};
 use crate::report::{GuideRecord, Report};
-use crate::search::{self, Evaluation, Footing, ImagePlan, Objective, StopReason};
+use crate::search::{self, Evaluation, Footing, ImagePlan, Objective, StopReason, Target};
 use crate::spectrum::{DEFAULT_RANGE, slider_limits};
 
 /// Between the seeds of searches of the same boxes; far from the small seeds that people choose.
@@ -36,7 +36,7 @@ struct Spent {
 
 pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
     harness.update(|p| p.phase = "Reading the prompt".into());
-    let prompt = spec.guide.text_embedding(&spec.prompt)?;
+    let target = Target::new(&spec.guide, &spec.prompt)?;
     let views = render::views_by_name("paper")?;
     harness.update(|p| p.phase = "Finding the parts".into());
     let stages = stages(spec, harness)?;
@@ -49,8 +49,8 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
         let again = stages[..index].iter().filter(|earlier| Arc::ptr_eq(earlier, stage)).count();
         let seed = spec.seed.wrapping_add(again as u64 * AGAIN);
         let finalist =
-            search_stage(spec, harness, stage, seed, &prompt, &views, &mut spent, done, winner.as_ref())?;
-        if winner.as_ref().is_none_or(|w| finalist.after.score > w.after.score) {
+            search_stage(spec, harness, stage, seed, &target, &views, &mut spent, done, winner.as_ref())?;
+        if winner.as_ref().is_none_or(|w| finalist.after.worth() > w.after.worth()) {
             winner = Some(finalist);
         }
     }
@@ -86,7 +86,7 @@ fn search_stage(
     harness: &Harness,
     stage: &Arc<Stage>,
     seed: u64,
-    prompt: &[f32],
+    target: &Target,
     views: &[View],
     spent: &mut Spent,
     generations_before: usize,
@@ -96,10 +96,10 @@ fn search_stage(
         &spec.mesh,
         stage.field.clone(),
         &spec.guide,
-        prompt,
+        target,
         spec.backend,
         views,
-        spec.preset.effort_weight,
+        &spec.preset,
     )?;
     let unchanged = vec![Vec3::ONE; stage.graph.parameter_rows()];
     let before = objective.evaluate(std::slice::from_ref(&unchanged), ImagePlan::All)?[0];
@@ -113,7 +113,13 @@ fn search_stage(
     let evaluations_before = spent.evaluations;
     let mut shown = winner.map_or(f64::NEG_INFINITY, |w| w.after.score);
     let footing = spec.preset.footing.then(|| Footing::of(&stage.graph)).flatten();
-    let found = search::search(&mut objective, footing.as_ref(), &spec.preset, seed, |generation| {
+    let start = match winner {
+        Some(w) if spec.preset.inherit => {
+            search::inherit(&stage.graph, &w.best.stage.field.deform(&w.best.scales))
+        }
+        _ => unchanged.clone(),
+    };
+    let found = search::search(&mut objective, footing.as_ref(), &spec.preset, &start, seed, |generation| {
         let done = generations_before + generation.number;
         harness.update(|p| {
             p.generation = done;
@@ -134,7 +140,7 @@ fn search_stage(
     spent.images += objective.images_encoded();
     spent.renderer = objective.backend_name();
     // The unchanged object competes too: an outcome is never worse than what was given.
-    let improved = after.score >= before.score;
+    let improved = after.worth() >= before.worth() && after.score >= before.score;
     let (scales, after) = if improved { (found.scales, after) } else { (unchanged, before) };
     let best = Best { score: after.score, scales, stage: stage.clone() };
     Ok(Finalist { best, before, after, stop: found.stop })

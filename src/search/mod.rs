@@ -4,13 +4,17 @@
 mod cmaes;
 mod footing;
 mod gauge;
+mod inherit;
 mod objective;
 mod preset;
 mod run;
+mod target;
 
 pub use cmaes::{Bounds, CmaEs, CmaEsOptions, SearchError, StopReason};
 pub use footing::Footing;
 pub use gauge::{Gauge, KeepPlace, KeepSize};
+pub use inherit::inherit;
 pub use objective::{Evaluation, Objective, ObjectiveError};
 pub use preset::{ImagePlan, Preset};
 pub use run::{Found, Generation, search};
+pub use target::Target;

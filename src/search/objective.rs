@@ -7,7 +7,8 @@ use glam::Vec3;
 use rayon::prelude::*;
 use thiserror::Error;
 
-use super::preset::{ImagePlan, NORMAL_WEIGHT};
+use super::Target;
+use super::preset::{ImagePlan, NORMAL_WEIGHT, Preset};
 use crate::boxdef::DeformField;
 use crate::guide::{Guide, GuideError};
 use crate::mesh::Mesh;
@@ -31,8 +32,18 @@ pub struct Evaluation {
     pub score: f64,
     /// Mean of 1 − cos between vertex normals before and after (paper §3.1).
     pub normal_error: f64,
-    /// `−score + 0.25 · normal error + weight · effort`; lower is better.
+    /// What the prompt's strongest rival takes from the score ([`Target`]), weighted by the preset.
+    pub rivalry: f64,
+    /// `−score + rivalry + 0.25 · normal error + weight · effort`; lower is better.
     pub loss: f64,
+}
+
+impl Evaluation {
+    /// The score less the rivalry: what outcomes are chosen by.
+    #[must_use]
+    pub fn worth(&self) -> f64 {
+        self.score - self.rivalry
+    }
 }
 
 /// Scores candidates of one field against one prompt.
@@ -40,9 +51,9 @@ pub struct Objective<'a> {
     mesh: &'a Mesh,
     field: Arc<DeformField>,
     guide: &'a Guide,
-    prompt: &'a [f32],
+    target: &'a Target,
     renderer: Box<dyn Renderer>,
-    effort_weight: f64,
+    preset: &'a Preset,
     rest_normals: Vec<Vec3>,
     rgba: Vec<u8>,
     rgb: Vec<u8>,
@@ -50,16 +61,15 @@ pub struct Objective<'a> {
 }
 
 impl<'a> Objective<'a> {
-    /// Opens a renderer for the field. `prompt` is the guide's unit embedding of the prompt; the weight is
-    /// that of the effort in the loss, 0 for the paper's own.
+    /// Opens a renderer for the field. The preset says what counts in the loss and how much.
     pub fn new(
         mesh: &'a Mesh,
         field: Arc<DeformField>,
         guide: &'a Guide,
-        prompt: &'a [f32],
+        target: &'a Target,
         backend: Backend,
         views: &[View],
-        effort_weight: f64,
+        preset: &'a Preset,
     ) -> Result<Self, ObjectiveError> {
         let triangles = mesh.triangles().into();
         let renderer = render::open(backend, field.clone(), triangles, views, guide.image_size())?;
@@ -68,9 +78,9 @@ impl<'a> Objective<'a> {
             mesh,
             field,
             guide,
-            prompt,
+            target,
             renderer,
-            effort_weight,
+            preset,
             rest_normals,
             rgba: Vec::new(),
             rgb: Vec::new(),
@@ -110,15 +120,16 @@ impl<'a> Objective<'a> {
         let (mesh, field, rest) = (self.mesh, &*self.field, self.rest_normals.as_slice());
         let errors: Vec<f64> =
             candidates.par_iter().map(|scales| normal_error(mesh, field, rest, scales)).collect();
-        let per_candidate = pairs.len() * self.prompt.len();
-        let weight = self.effort_weight;
-        let scores = embeddings.chunks_exact(per_candidate).map(|images| mean_cosine(images, self.prompt));
-        Ok(scores
+        let per_candidate = pairs.len() * self.target.dimension();
+        let appraisals = embeddings.chunks_exact(per_candidate).map(|images| self.target.appraise(images));
+        let Preset { rival_weight, effort_weight, .. } = self.preset;
+        Ok(appraisals
             .zip(errors)
             .zip(candidates)
-            .map(|((score, normal_error), scales)| {
-                let loss = NORMAL_WEIGHT * normal_error + weight * effort(scales) - score;
-                Evaluation { score, normal_error, loss }
+            .map(|(((score, rivalry), normal_error), scales)| {
+                let rivalry = rival_weight * rivalry;
+                let loss = rivalry - score + NORMAL_WEIGHT * normal_error + effort_weight * effort(scales);
+                Evaluation { score, normal_error, rivalry, loss }
             })
             .collect())
     }
@@ -158,12 +169,4 @@ fn effort(scales: &[Vec3]) -> f64 {
     let count = logs().count() as f64;
     let mean = logs().sum::<f64>() / count;
     logs().map(|log| (log - mean).powi(2)).sum::<f64>() / count
-}
-
-/// Mean cosine between unit embeddings (`k × d`) and one unit embedding (`d`).
-fn mean_cosine(embeddings: &[f32], prompt: &[f32]) -> f64 {
-    let dot = |e: &[f32]| e.iter().zip(prompt).map(|(a, b)| f64::from(*a) * f64::from(*b)).sum::<f64>();
-    let all = embeddings.chunks_exact(prompt.len());
-    let count = all.len() as f64;
-    all.map(dot).sum::<f64>() / count
 }

@@ -37,18 +37,22 @@ impl ImagePlan {
 pub struct Preset {
     /// Its name.
     pub name: &'static str,
-    /// Split counts tried, each searched from scratch; the best by all images is kept.
+    /// Split counts tried, one after another; the best by all images is kept.
     pub splits: &'static [u32],
     /// Candidates a generation: `base + per_log · ln(dimensions)`.
     pub population: (f64, f64),
     /// First step size, in units of x.
     pub sigma: f64,
+    /// Whether later split counts start from the best so far ([`super::inherit`]) instead of from scratch.
+    pub inherit: bool,
     /// Generations at most, a split count.
     pub max_generations: usize,
     /// Stops when the loss changes less than this.
     pub tol_fun: f64,
     /// Images that score a candidate during the search.
     pub images: ImagePlan,
+    /// Weight, in the loss, of looking like another name the guide was taught ([`super::Target`]).
+    pub rival_weight: f64,
     /// Weight, in the loss, of scaling the parts unevenly.
     pub effort_weight: f64,
     /// Whether parts that stand on the floor together stay so ([`super::Footing`]).
@@ -62,9 +66,11 @@ impl Preset {
         splits: &[2, 3, 4],
         population: (12.0, 9.0),
         sigma: 1.0,
+        inherit: false,
         max_generations: 80,
         tol_fun: 1e-4,
         images: ImagePlan::All,
+        rival_weight: 0.0,
         effort_weight: 0.0,
         footing: false,
     };
@@ -75,9 +81,11 @@ impl Preset {
         splits: &[2, 3, 4],
         population: (4.0, 3.5),
         sigma: 0.5,
+        inherit: true,
         max_generations: 24,
         tol_fun: 1e-4,
         images: ImagePlan::InTurn,
+        rival_weight: 0.5,
         effort_weight: 0.05,
         footing: true,
     };

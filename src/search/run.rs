@@ -33,18 +33,19 @@ pub struct Found {
     pub stop: StopReason,
 }
 
-/// Minimises the objective's loss. A `footing` levels the feet of every candidate before it is evaluated.
-/// `each_generation` may end the search with its own error.
+/// Minimises the objective's loss from the `start`, a row of scale factors a parameter row. A `footing` levels
+/// the feet of every candidate before it is evaluated. `each_generation` may end the search with its own error.
 pub fn search<E: From<SearchError> + From<ObjectiveError>>(
     objective: &mut Objective<'_>,
     footing: Option<&Footing>,
     preset: &Preset,
+    start: &[Vec3],
     seed: u64,
     mut each_generation: impl FnMut(&Generation<'_>) -> Result<(), E>,
 ) -> Result<Found, E> {
     let dimensions = 3 * objective.parameter_rows();
     let mut cma = CmaEs::new(CmaEsOptions {
-        start: vec![0.0; dimensions],
+        start: start.iter().flat_map(|s| s.to_array().map(x_of)).collect(),
         sigma: preset.sigma,
         bounds: Bounds::Same(X_RANGE.0, X_RANGE.1),
         population: Some(preset.population(dimensions)),
@@ -86,6 +87,11 @@ pub fn search<E: From<SearchError> + From<ObjectiveError>>(
 fn scale_range() -> (f32, f32) {
     let scale = |x: f64| (1.0 + SCALE_PER_X * x) as f32;
     (scale(X_RANGE.0), scale(X_RANGE.1))
+}
+
+/// The search variable of a scale factor, within its range.
+fn x_of(scale: f32) -> f64 {
+    ((f64::from(scale) - 1.0) / SCALE_PER_X).clamp(X_RANGE.0, X_RANGE.1)
 }
 
 /// Scale factors, `1 + 0.7 x`, of a search point of three numbers a parameter row.
