@@ -82,7 +82,7 @@ impl Preset {
         population: (4.0, 3.5),
         sigma: 0.5,
         inherit: true,
-        max_generations: 24,
+        max_generations: 36,
         tol_fun: 1e-4,
         images: ImagePlan::InTurn,
         rival_weight: 0.5,

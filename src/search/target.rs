@@ -9,8 +9,8 @@ const SAME: f64 = 0.9;
 /// How far the prompt should be ahead of every other name, in cosine.
 const MARGIN: f64 = 0.05;
 
-/// A prompt and its rivals: where the prompt is a name that the guide was taught, all the names that mean
-/// something else. A sofa is to look more like a sofa than like a park bench.
+/// A prompt and its rivals: all the names the guide was taught that mean something else. A sofa is to look
+/// more like a sofa than like a park bench, and a taller chair more like that than like a chair.
 #[derive(Debug, Clone)]
 pub struct Target {
     prompt: Vec<f32>,
@@ -18,19 +18,12 @@ pub struct Target {
 }
 
 impl Target {
-    /// Reads the prompt. There are no rivals where the guide was taught no names or the prompt is none.
+    /// Reads the prompt. There are no rivals where the guide was taught no names.
     pub fn new(guide: &Guide, prompt: &str) -> Result<Self, GuideError> {
         let prompt = guide.text_embedding(prompt)?;
-        let mut rivals = Vec::new();
-        let mut is_name = false;
-        for name in guide.class_embeddings()?.chunks_exact(prompt.len()) {
-            if dot(name, &prompt) < SAME {
-                rivals.extend_from_slice(name);
-            } else {
-                is_name = true;
-            }
-        }
-        Ok(Self { prompt, rivals: if is_name { rivals } else { Vec::new() } })
+        let names = guide.class_embeddings()?.chunks_exact(prompt.len());
+        let rivals = names.filter(|name| dot(name, &prompt) < SAME).flatten().copied().collect();
+        Ok(Self { prompt, rivals })
     }
 
     /// Length of an embedding.

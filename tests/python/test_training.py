@@ -13,9 +13,10 @@ from draw import draw
 from families import FAMILIES, NAMES
 from generate import make
 from grading import quantities
+from kinds.adjectives import forms
 from shapes.attributes import attributes
 from shapes.shape import scale_parts
-from text import bag, phrases
+from text import bag, class_prompts, phrases
 from truth import truth
 
 DRAWS = 8
@@ -37,6 +38,17 @@ def test_no_phrase_names_two_things():
     for name in NAMES:
         for phrase in phrases(name):
             assert meant.setdefault(bag(phrase), name) == name, phrase
+
+
+def test_the_embedded_guide_knows_every_word(guide):
+    for name in NAMES:
+        assert [p for p in phrases(name) if guide.unknown_words(p)] == []
+    adjectives = {a for family in FAMILIES.values() for a in family.adjectives}
+    assert [f for a in adjectives for f in forms(a) if guide.unknown_words(f)] == []
+
+
+def test_the_embedded_guide_was_taught_these_kinds(guide):
+    assert guide.classes == [prompt for prompts in class_prompts().values() for prompt in prompts]
 
 
 @pytest.mark.parametrize("module", FAMILIES)
