@@ -25,6 +25,8 @@ class _Running:
     undone = False
     #: Whether the user did something meanwhile, so that there may be undo steps that hold the preview.
     touched = False
+    #: The prompt that the last undo step of ours holds.
+    prompt = None
     timer = None
     workspace = ""
 
@@ -72,6 +74,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         except Refusal as refusal:
             return self._refuse(refusal)
         _Running.stop = _Running.undone = _Running.touched = False
+        _remember_prompt(context.scene.boxmorph.prompt)
         wm = context.window_manager
         _Running.timer = wm.event_timer_add(_TICK_SECONDS, window=context.window)
         _Running.workspace = context.workspace.name
@@ -161,6 +164,15 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
     def _refuse(self, refusal):
         self.report({"ERROR"}, str(refusal))
         return {"CANCELLED"}
+
+
+def _remember_prompt(prompt):
+    """Make an undo step of a new prompt: fields with suggestions make none, and undoing the outcome would
+    take the prompt along.
+    """
+    if prompt != _Running.prompt:
+        bpy.ops.ed.undo_push(message="Prompt")
+        _Running.prompt = prompt
 
 
 def _show_status():

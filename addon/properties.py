@@ -4,6 +4,8 @@
 import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
+from .suggestions import suggest
+
 PRESETS = (
     ("standard", "Standard", "The result of the full search at a fraction of its cost"),
     ("paper", "Paper", "The published protocol, step by step. Much slower"),
@@ -25,7 +27,10 @@ class SearchProperties:
     """The properties that the panel and the operator share (a mixin for registered classes)."""
 
     prompt: StringProperty(
-        name="Prompt", description="What the object should become, in a few words, such as: a bar stool"
+        name="Prompt",
+        description="What the object should become, in a few words, such as: a bar stool",
+        search=suggest,
+        search_options={"SUGGESTION"},
     )
     preset: EnumProperty(
         name="Preset", description="How thoroughly to search", items=PRESETS, default="standard"

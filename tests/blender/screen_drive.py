@@ -134,13 +134,18 @@ class Screen:
         self._xdotool("mouseup", 1)
         time.sleep(0.2)
 
-    def type_into(self, x, y, text):
-        """Replace the text of the field there."""
+    def type_into(self, x, y, text, *keys, shot=None):
+        """Replace the text of the field there, press `keys`, save a screenshot if asked, and press Return."""
         self.move(x, y)
         self._xdotool("click", "--repeat", 2, "--delay", 80, 1)
         time.sleep(0.3)
         self.key("ctrl+a")
         self._xdotool("type", "--delay", 40, text)
+        for key in keys:
+            time.sleep(0.3)
+            self.key(key)
+        if shot:
+            self.shot(shot)
         self.key("Return")
         time.sleep(0.3)
 

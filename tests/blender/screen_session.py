@@ -83,6 +83,9 @@ def session(screen, shots):
     button = find(screen, rectangle, "bpy.ops.boxmorph.deform(")
     report(True, "the button is in the sidebar")
 
+    screen.type_into(button[0], button[1] - 28, PROMPT[:-2], "Down", shot=shots("1-suggestions"))
+    completed = screen.ask("bpy.context.scene.boxmorph.prompt")
+    report(completed == PROMPT, "a suggestion completes the prompt", completed)
     screen.type_into(button[0], button[1] - 28, PROMPT)
     typed = screen.ask("bpy.context.scene.boxmorph.prompt")
     report(typed == PROMPT, "the prompt is typed", typed)
