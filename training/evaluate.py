@@ -78,7 +78,7 @@ def held_out(guide, folder, count=HELD_OUT):
     return figures
 
 
-def order(values):
+def ranks(values):
     """The rank of every value."""
     return np.argsort(np.argsort(values))
 
@@ -103,7 +103,7 @@ def combinations(guide, folder, count=HELD_OUT, prompts=400):
         inside = family == f
         score = seen[inside] @ guide.words([text])[0]
         gap = graded.gap(n, wanted, gaps[inside], rows[inside])
-        found[held_back(n, wanted)].append(np.corrcoef(order(score), order(-gap))[0, 1])
+        found[held_back(n, wanted)].append(np.corrcoef(ranks(score), ranks(-gap))[0, 1])
     return {
         "said": round(float(np.mean(found[False])), 3),
         "never said": round(float(np.mean(found[True])), 3),
