@@ -31,6 +31,8 @@ pub struct Report {
     pub splits: u32,
     /// The symmetry axis, if any.
     pub symmetry: Option<String>,
+    /// The boundary step.
+    pub boundary: String,
     /// The renderer.
     pub renderer: String,
     /// Vertices of the mesh that was scored.

@@ -3,13 +3,13 @@
 
 mod common;
 
-use boxmorph::boxdef::{BoxDefError, BoxDefGraph, Parts, Symmetry};
+use boxmorph::boxdef::{Boundary, BoxDefError, BoxDefGraph, Parts, Symmetry};
 use boxmorph::mesh::Mesh;
 use common::{Maker, aeroplane, ball, bottle, chair, cone, lamp, lopsided, plain_box, sofa, table, v};
 use glam::Vec3;
 
 fn build(mesh: &Mesh, splits: u32) -> BoxDefGraph {
-    BoxDefGraph::build(mesh, splits, Symmetry::Auto).expect("every valid mesh has a graph")
+    BoxDefGraph::build(mesh, splits, Symmetry::Auto, Boundary::Smooth).expect("every valid mesh has a graph")
 }
 
 fn sides(graph: &BoxDefGraph) -> [usize; 3] {
@@ -102,11 +102,11 @@ fn symmetry_is_found_on_x_then_y_and_only_there() {
     assert_eq!(build(&turned, 2).symmetry(), Symmetry::Y);
     let on_z = chair(1).moved(|p| v(p.y, p.z, p.x)).mesh();
     assert_eq!(build(&on_z, 2).symmetry(), Symmetry::None, "what is above is never taken for what is below");
-    let asked = BoxDefGraph::build(&on_z, 4, Symmetry::Z).unwrap();
+    let asked = BoxDefGraph::build(&on_z, 4, Symmetry::Z, Boundary::Smooth).unwrap();
     assert_eq!((asked.symmetry(), sides(&asked)), (Symmetry::Z, [2, 2, 2]));
     let none = build(&lopsided().mesh(), 3);
     assert_eq!((none.symmetry(), sides(&none)[1]), (Symmetry::None, 0));
-    let off = BoxDefGraph::build(&x_and_y, 3, Symmetry::None).unwrap();
+    let off = BoxDefGraph::build(&x_and_y, 3, Symmetry::None, Boundary::Smooth).unwrap();
     assert_eq!(sides(&off)[1..], [0, 0], "every leg has parameters of its own when symmetry is off");
 }
 
@@ -152,6 +152,49 @@ fn a_symmetric_mesh_stays_symmetric_bit_for_bit_and_closed_at_the_plane() {
             pairs += 1;
         }
         assert!(pairs > mesh.vertices().len() * 9 / 10, "the mesh is its own mirror image");
+    }
+}
+
+/// A hammer of one piece: a head across the end of a handle.
+fn hammer() -> Mesh {
+    let mut m = Maker::default();
+    let handle = [(0.0, 0.0), (0.06, 0.0), (0.06, 0.2), (0.06, 0.4), (0.06, 0.6), (0.06, 0.72), (0.06, 0.8)];
+    let head = [(0.1, 0.8), (0.2, 0.8), (0.3, 0.8), (0.3, 0.85), (0.3, 0.95), (0.3, 1.0), (0.0, 1.0)];
+    m.lathe(Vec3::ZERO, 32, &[&handle[..], &head[..]].concat());
+    m.mesh()
+}
+
+#[test]
+fn the_smooth_boundary_spreads_what_the_papers_leaves_to_one_edge() {
+    let mesh = hammer();
+    let worst = |boundary| {
+        let graph = BoxDefGraph::build(&mesh, 1, Symmetry::Auto, boundary).unwrap();
+        assert_eq!(graph.parameter_rows(), 2);
+        let owner = |i: u32| graph.assignment()[i as usize];
+        let mut scales = vec![Vec3::ONE; 2];
+        // The handle grows as thick as the head.
+        scales[graph.parameter_row_of_box()[owner(0) as usize]] = v(4.0, 4.0, 1.0);
+        let out = graph.deform(&scales).unwrap();
+        let edges = mesh.triangles().iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let crossing = edges.filter(|&[a, b]| owner(a) != owner(b));
+        let length = |at: &[Vec3], [a, b]: [u32; 2]| at[a as usize].distance(at[b as usize]);
+        crossing.map(|edge| length(&out, edge) / length(mesh.vertices(), edge)).fold(0.0, f32::max)
+    };
+    let (smooth, paper) = (worst(Boundary::Smooth), worst(Boundary::Paper));
+    assert!(smooth < 0.7 * paper, "an edge stretches {smooth}-fold, {paper}-fold with the paper's step");
+}
+
+#[test]
+fn what_is_scaled_alike_is_only_scaled() {
+    let mesh = chair(2).mesh();
+    let graph = build(&mesh, 4);
+    let (low, high) = mesh.surface_bounds();
+    let center = ((low + high) * 0.5).as_vec3();
+    let scale = v(1.5, 0.8, 1.2);
+    for (moved, &rest) in
+        graph.deform(&vec![scale; graph.parameter_rows()]).unwrap().iter().zip(mesh.vertices())
+    {
+        assert!(moved.distance(center + (rest - center) * scale) < 1e-5, "{rest} goes to {moved}");
     }
 }
 
@@ -242,7 +285,7 @@ fn the_field_at_other_points_is_symmetric_and_moves_with_the_parts() {
     let (low, high) = mesh.surface_bounds();
     let center = ((low + high) * 0.5).as_vec3();
     for (moved, &rest) in graph.field_at(&points).unwrap().deform(&all).iter().zip(&points) {
-        assert!(moved.distance(center + (rest - center) * all[0]) < 0.02, "{rest} goes to {moved}");
+        assert!(moved.distance(center + (rest - center) * all[0]) < 1e-5, "{rest} goes to {moved}");
     }
 }
 
@@ -269,7 +312,7 @@ type Case = (&'static str, fn(&mut Parts));
 #[test]
 fn given_parts_are_checked_with_a_sentence_each() {
     let (mesh, good) = two_boxes();
-    assert_eq!(BoxDefGraph::from_parts(&mesh, good.clone()).unwrap().parts(), &good);
+    assert_eq!(BoxDefGraph::from_parts(&mesh, good.clone(), Boundary::Paper).unwrap().parts(), &good);
     let cases: [Case; 14] = [
         ("no boxes", |p| *p = Parts::default()),
         ("box_half_size has 1 rows", |p| p.box_half_size.truncate(1)),
@@ -289,7 +332,7 @@ fn given_parts_are_checked_with_a_sentence_each() {
     for (sentence, spoil) in cases {
         let mut parts = good.clone();
         spoil(&mut parts);
-        let error = BoxDefGraph::from_parts(&mesh, parts).unwrap_err().to_string();
+        let error = BoxDefGraph::from_parts(&mesh, parts, Boundary::Paper).unwrap_err().to_string();
         assert!(error.contains(sentence), "{error:?} does not say {sentence:?}");
     }
 }
@@ -298,7 +341,7 @@ fn given_parts_are_checked_with_a_sentence_each() {
 fn a_graph_can_be_taken_apart_and_put_together_again() {
     let mesh = chair(2).mesh();
     let built = build(&mesh, 4);
-    let again = BoxDefGraph::from_parts(&mesh, built.parts().clone()).unwrap();
+    let again = BoxDefGraph::from_parts(&mesh, built.parts().clone(), Boundary::Paper).unwrap();
     assert_eq!(again.parts(), built.parts());
     assert_eq!(again.parameter_row_of_box(), built.parameter_row_of_box());
     assert_eq!(again.symmetry(), built.symmetry());
@@ -309,7 +352,7 @@ fn bad_requests_are_refused_in_words() {
     let mesh = plain_box();
     for splits in [0, 9] {
         assert_eq!(
-            BoxDefGraph::build(&mesh, splits, Symmetry::Auto).unwrap_err(),
+            BoxDefGraph::build(&mesh, splits, Symmetry::Auto, Boundary::Smooth).unwrap_err(),
             BoxDefError::Splits(splits)
         );
     }

@@ -3,7 +3,7 @@
 
 mod common;
 
-use boxmorph::boxdef::{BoxDefGraph, Symmetry};
+use boxmorph::boxdef::{Boundary, BoxDefGraph, Symmetry};
 use boxmorph::mesh::{Mesh, MeshError};
 use common::{Maker, ball, chair, v};
 use glam::Vec3;
@@ -12,7 +12,8 @@ use rand_chacha::ChaCha8Rng;
 
 /// What must hold for every mesh.
 fn check(name: &str, mesh: &Mesh, splits: u32, symmetry: Symmetry) -> BoxDefGraph {
-    let graph = BoxDefGraph::build(mesh, splits, symmetry).expect("every valid mesh has a graph");
+    let graph =
+        BoxDefGraph::build(mesh, splits, symmetry, Boundary::Smooth).expect("every valid mesh has a graph");
     let boxes = graph.box_center().len();
     assert!(boxes >= 1 && boxes <= 2 * splits as usize + 1, "{name}: {boxes} boxes after {splits} splits");
     assert_eq!(graph.assignment().len(), mesh.vertices().len());
@@ -30,7 +31,7 @@ fn check(name: &str, mesh: &Mesh, splits: u32, symmetry: Symmetry) -> BoxDefGrap
     assert!(graph.field().basis().iter().all(|b| b.is_finite()), "{name}: the field is not finite");
     let ones = vec![Vec3::ONE; graph.parameter_rows()];
     assert_eq!(graph.deform(&ones).unwrap(), mesh.vertices(), "{name}");
-    let back = BoxDefGraph::from_parts(mesh, graph.parts().clone());
+    let back = BoxDefGraph::from_parts(mesh, graph.parts().clone(), Boundary::Smooth);
     assert!(back.is_ok(), "{name}: its own parts are refused: {:?}", back.err());
     graph
 }

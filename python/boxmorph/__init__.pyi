@@ -10,6 +10,7 @@ from . import metrics as metrics
 
 __version__: str
 
+Boundary = Literal["smooth", "paper"]
 Symmetry = Literal["auto", "none", "x", "y", "z"]
 Renderer = Literal["auto", "cpu", "gpu"]
 
@@ -34,7 +35,9 @@ class BoxDefGraph:
     """Part boxes of a mesh and the constraints between them."""
 
     @staticmethod
-    def build(mesh: Mesh, splits: int = 3, symmetry: Symmetry = "auto") -> BoxDefGraph: ...
+    def build(
+        mesh: Mesh, splits: int = 3, symmetry: Symmetry = "auto", boundary: Boundary = "smooth"
+    ) -> BoxDefGraph: ...
     @staticmethod
     def from_parts(
         mesh: Mesh,
@@ -46,6 +49,7 @@ class BoxDefGraph:
         tree_parent_point: NDArray[np.float32],  # (b - 1, 3)
         tree_child_point: NDArray[np.float32],  # (b - 1, 3)
         edges: NDArray[np.integer],  # (e, 2) (leader, follower), in the order of execution
+        boundary: Boundary = "paper",
     ) -> BoxDefGraph: ...
     @property
     def box_center(self) -> NDArray[np.float32]: ...  # (b, 3)
@@ -118,6 +122,7 @@ class Job:
         *,
         splits: Literal["auto"] | int | None = None,
         symmetry: Symmetry = "auto",
+        boundary: Boundary | None = None,  # None: the preset's
         renderer: Renderer = "auto",
         keep_size: Literal["diagonal", "height", "off"] = "diagonal",
         keep_place: Literal["bottom", "off"] = "bottom",

@@ -9,6 +9,9 @@ pub enum BoxDefError {
     /// The number of splits is out of range.
     #[error("the number of splits is {0}; it must be from 1 to 8")]
     Splits(u32),
+    /// There is no boundary step of that name.
+    #[error("unknown boundary \"{0}\": choose \"smooth\" or \"paper\"")]
+    Boundary(String),
     /// There is no box.
     #[error("there are no boxes; give at least one")]
     NoBoxes,

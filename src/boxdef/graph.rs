@@ -4,6 +4,7 @@
 use glam::{DVec3, Vec3};
 
 use super::assign::assign;
+use super::boundary::Boundary;
 use super::boxes::{keep_owners, part_boxes};
 use super::connect::connect;
 use super::error::BoxDefError;
@@ -30,19 +31,25 @@ pub struct BoxDefGraph {
 }
 
 impl BoxDefGraph {
-    /// Takes parts that are already known, and deforms exactly as the paper's authors do: scaling about the
+    /// Takes parts that are already known, and deforms as the paper's authors do: scaling about the
     /// mean of the vertices, the boundary step edge by edge in the order given, first (leader, follower),
-    /// then with the roles swapped.
-    pub fn from_parts(mesh: &Mesh, parts: Parts) -> Result<Self, BoxDefError> {
+    /// then with the roles swapped. With `Boundary::Paper` it is exactly their deformation.
+    pub fn from_parts(mesh: &Mesh, parts: Parts, boundary: Boundary) -> Result<Self, BoxDefError> {
         parts.check(mesh.vertices().len())?;
         let frame = Frame::of_vertices(mesh);
         let stages = parts.edges.iter().flat_map(|&[a, b]| [vec![[a, b]], vec![[b, a]]]).collect();
         let axis = twin_axis(&parts);
-        Ok(Self::assemble(mesh, parts, frame, &frame.vertices(mesh), axis, None, stages))
+        let vertices = frame.vertices(mesh);
+        Ok(Self::assemble(mesh, parts, frame, &vertices, axis, None, boundary, stages))
     }
 
     /// Finds the parts of a mesh with at most `splits` (1 to 8) cuts, fewer where no cut is worth it.
-    pub fn build(mesh: &Mesh, splits: u32, symmetry: Symmetry) -> Result<Self, BoxDefError> {
+    pub fn build(
+        mesh: &Mesh,
+        splits: u32,
+        symmetry: Symmetry,
+        boundary: Boundary,
+    ) -> Result<Self, BoxDefError> {
         if !(1..=8).contains(&splits) {
             return Err(BoxDefError::Splits(splits));
         }
@@ -80,9 +87,10 @@ impl BoxDefGraph {
         };
         let stages =
             connections.stages.into_iter().map(|stage| stage.into_iter().map(pair).collect()).collect();
-        Ok(Self::assemble(mesh, parts, frame, &vertices, axis, mirror.as_ref(), stages))
+        Ok(Self::assemble(mesh, parts, frame, &vertices, axis, mirror.as_ref(), boundary, stages))
     }
 
+    #[expect(clippy::too_many_arguments, reason = "what both ways to a graph end in")]
     fn assemble(
         mesh: &Mesh,
         parts: Parts,
@@ -90,11 +98,13 @@ impl BoxDefGraph {
         vertices: &[DVec3],
         symmetry_axis: Option<usize>,
         mirror: Option<&MirrorMap>,
+        boundary: Boundary,
         stages: Vec<Vec<[i32; 2]>>,
     ) -> Self {
         let rows = parts.parameter_rows();
         let parameter_rows = rows.iter().max().map_or(0, |row| row + 1);
-        let propagation = Propagation { frame, parts: &parts, rows: &rows, vertices, mirror, stages };
+        let propagation =
+            Propagation { frame, parts: &parts, rows: &rows, vertices, mirror, boundary, stages };
         let basis = propagation.basis(parameter_rows);
         let field = DeformField::new(mesh.vertices().to_vec(), parameter_rows, basis);
         Self { parts, rows, parameter_rows, symmetry_axis, frame, field }

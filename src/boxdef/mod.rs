@@ -2,6 +2,7 @@
 //! Mesh to deformation field: occupancy, part boxes, `BoxDefGraph`, field (paper §3).
 
 mod assign;
+mod boundary;
 mod boxes;
 mod connect;
 mod error;
@@ -19,6 +20,7 @@ mod split;
 mod symmetry;
 mod transfer;
 
+pub use boundary::Boundary;
 pub use error::BoxDefError;
 pub use field::DeformField;
 pub use graph::BoxDefGraph;

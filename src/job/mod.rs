@@ -16,7 +16,7 @@ pub use error::JobError;
 pub use outcome::Outcome;
 pub use progress::Progress;
 
-use crate::boxdef::Symmetry;
+use crate::boxdef::{Boundary, Symmetry};
 use crate::guide::Guide;
 use crate::mesh::Mesh;
 use crate::render::Backend;
@@ -40,6 +40,8 @@ pub struct JobSpec {
     pub splits: Option<u32>,
     /// Symmetry of the part boxes.
     pub symmetry: Symmetry,
+    /// How parts follow each other where they meet; `None` takes the preset's.
+    pub boundary: Option<Boundary>,
     /// Who draws.
     pub backend: Backend,
     /// Size kept by the gauge.

@@ -62,10 +62,11 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
 /// then searched again, from another seed.
 fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError> {
     let counts = spec.splits.map_or_else(|| spec.preset.splits.to_vec(), |splits| vec![splits]);
+    let boundary = spec.boundary.unwrap_or(spec.preset.boundary);
     let mut stages: Vec<Arc<Stage>> = Vec::new();
     for splits in counts {
         check(harness)?;
-        let graph = Arc::new(BoxDefGraph::build(&spec.mesh, splits, spec.symmetry)?);
+        let graph = Arc::new(BoxDefGraph::build(&spec.mesh, splits, spec.symmetry, boundary)?);
         let known = |stage: &Arc<Stage>| {
             stage.graph.box_center() == graph.box_center() && stage.graph.assignment() == graph.assignment()
         };
@@ -163,6 +164,7 @@ fn outcome(spec: &JobSpec, harness: &Harness, winner: Finalist, spent: Spent) ->
         seed: spec.seed,
         splits: best.stage.splits,
         symmetry: graph.symmetry_axis().map(|axis| ["x", "y", "z"][axis].into()),
+        boundary: spec.boundary.unwrap_or(spec.preset.boundary).name().into(),
         renderer: spent.renderer,
         vertices: spec.mesh.vertices().len(),
         triangles: spec.mesh.triangles().len(),

@@ -62,14 +62,17 @@ pub fn symmetry(name: &str) -> PyResult<Symmetry> {
 #[pymethods]
 impl PyBoxDefGraph {
     #[staticmethod]
-    #[pyo3(signature = (mesh, splits=3, symmetry="auto"))]
-    fn build(py: Python<'_>, mesh: &PyMesh, splits: u32, symmetry: &str) -> PyResult<Self> {
+    #[pyo3(signature = (mesh, splits=3, symmetry="auto", boundary="smooth"))]
+    fn build(py: Python<'_>, mesh: &PyMesh, splits: u32, symmetry: &str, boundary: &str) -> PyResult<Self> {
         let symmetry = self::symmetry(symmetry)?;
-        let graph = py.detach(|| BoxDefGraph::build(&mesh.0, splits, symmetry));
+        let boundary = boundary.parse().map_err(IntoPyErr::into_py_err)?;
+        let graph = py.detach(|| BoxDefGraph::build(&mesh.0, splits, symmetry, boundary));
         Ok(Self(Arc::new(graph.map_err(IntoPyErr::into_py_err)?)))
     }
 
     #[staticmethod]
+    #[pyo3(signature = (mesh, box_center, box_half_size, box_side, assignment, tree_edges, tree_parent_point,
+                        tree_child_point, edges, boundary="paper"))]
     #[expect(clippy::too_many_arguments, reason = "the arrays of the reference data, by their names")]
     fn from_parts(
         mesh: &PyMesh,
@@ -81,7 +84,9 @@ impl PyBoxDefGraph {
         tree_parent_point: &Bound<'_, PyAny>,
         tree_child_point: &Bound<'_, PyAny>,
         edges: &Bound<'_, PyAny>,
+        boundary: &str,
     ) -> PyResult<Self> {
+        let boundary = boundary.parse().map_err(IntoPyErr::into_py_err)?;
         let side = |s: i32| i8::try_from(s).unwrap_or(i8::MAX);
         let parts = Parts {
             box_center: arrays::vectors(box_center, "box_center")?,
@@ -93,7 +98,7 @@ impl PyBoxDefGraph {
             tree_child_point: arrays::vectors(tree_child_point, "tree_child_point")?,
             edges: arrays::pairs(edges, "edges")?,
         };
-        let graph = BoxDefGraph::from_parts(&mesh.0, parts).map_err(IntoPyErr::into_py_err)?;
+        let graph = BoxDefGraph::from_parts(&mesh.0, parts, boundary).map_err(IntoPyErr::into_py_err)?;
         Ok(Self(Arc::new(graph)))
     }
 

@@ -23,7 +23,7 @@ pub struct PyJob(Job);
 #[pymethods]
 impl PyJob {
     #[new]
-    #[pyo3(signature = (mesh, prompt, guide=None, preset="standard", seed=0, *, splits=None, symmetry="auto",
+    #[pyo3(signature = (mesh, prompt, guide=None, preset="standard", seed=0, *, splits=None, symmetry="auto", boundary=None,
                         renderer="auto", keep_size="diagonal", keep_place="bottom", points=None))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of the Python surface")]
     fn new(
@@ -35,6 +35,7 @@ impl PyJob {
         seed: u64,
         splits: Option<&Bound<'_, PyAny>>,
         symmetry: &str,
+        boundary: Option<&str>,
         renderer: &str,
         keep_size: &str,
         keep_place: &str,
@@ -52,6 +53,7 @@ impl PyJob {
             seed,
             splits: splits.map(self::splits).transpose()?.flatten(),
             symmetry: graph::symmetry(symmetry)?,
+            boundary: boundary.map(str::parse).transpose().map_err(IntoPyErr::into_py_err)?,
             backend: renderer.parse().map_err(|e| IntoPyErr::into_py_err(&e))?,
             keep_size: self::keep_size(keep_size)?,
             keep_place: self::keep_place(keep_place)?,

@@ -82,7 +82,7 @@ impl Footing {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boxdef::Parts;
+    use crate::boxdef::{Boundary, Parts};
     use crate::mesh::Mesh;
 
     /// A seat on two legs, each a part of its own.
@@ -116,7 +116,7 @@ mod tests {
             tree_child_point: vec![point(-0.9), point(0.8)],
             edges: vec![[0, 1], [0, 2]],
         };
-        BoxDefGraph::from_parts(&mesh, parts).expect("the parts fit")
+        BoxDefGraph::from_parts(&mesh, parts, Boundary::Smooth).expect("the parts fit")
     }
 
     fn feet(graph: &BoxDefGraph, scales: &[Vec3]) -> [f32; 2] {

@@ -44,7 +44,7 @@ pub fn inherit(graph: &BoxDefGraph, deformed: &[Vec3]) -> Vec<Vec3> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::boxdef::Symmetry;
+    use crate::boxdef::{Boundary, Symmetry};
     use crate::mesh::Mesh;
 
     /// A slab on two blocks, as one mesh of islands.
@@ -73,7 +73,8 @@ mod tests {
     #[test]
     fn a_whole_that_was_scaled_hands_on_its_scales() {
         let mesh = bench();
-        let graph = BoxDefGraph::build(&mesh, 3, Symmetry::Auto).expect("the bench has parts");
+        let graph =
+            BoxDefGraph::build(&mesh, 3, Symmetry::Auto, Boundary::Smooth).expect("the bench has parts");
         let scale = Vec3::new(1.5, 0.8, 2.0);
         let deformed: Vec<Vec3> = mesh.vertices().iter().map(|v| *v * scale + Vec3::X).collect();
         for row in inherit(&graph, &deformed) {
@@ -84,8 +85,10 @@ mod tests {
     #[test]
     fn what_one_graph_found_another_takes_over() {
         let mesh = bench();
-        let coarse = BoxDefGraph::build(&mesh, 1, Symmetry::Auto).expect("the bench has parts");
-        let fine = BoxDefGraph::build(&mesh, 4, Symmetry::Auto).expect("the bench has parts");
+        let coarse =
+            BoxDefGraph::build(&mesh, 1, Symmetry::Auto, Boundary::Smooth).expect("the bench has parts");
+        let fine =
+            BoxDefGraph::build(&mesh, 4, Symmetry::Auto, Boundary::Smooth).expect("the bench has parts");
         let scales: Vec<Vec3> =
             (0..coarse.parameter_rows()).map(|i| Vec3::new(1.2, 0.9, 1.0 + 0.4 * i as f32)).collect();
         let wanted = coarse.deform(&scales).expect("a row each");

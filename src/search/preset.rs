@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Presets: how much is spent on the search, and where.
 
+use crate::boxdef::Boundary;
 use crate::render::BACKGROUNDS;
 
 /// Range of the search variable x; a scale factor is `1 + SCALE_PER_X · x` (paper §4, reference protocol).
@@ -39,6 +40,8 @@ pub struct Preset {
     pub name: &'static str,
     /// Split counts tried, one after another; the best by all images is kept.
     pub splits: &'static [u32],
+    /// How parts follow each other where they meet.
+    pub boundary: Boundary,
     /// Candidates a generation: `base + per_log · ln(dimensions)`.
     pub population: (f64, f64),
     /// First step size, in units of x.
@@ -64,6 +67,7 @@ impl Preset {
     pub const PAPER: Self = Self {
         name: "paper",
         splits: &[2, 3, 4],
+        boundary: Boundary::Paper,
         population: (12.0, 9.0),
         sigma: 1.0,
         inherit: false,
@@ -79,6 +83,7 @@ impl Preset {
     pub const STANDARD: Self = Self {
         name: "standard",
         splits: &[2, 3, 4],
+        boundary: Boundary::Smooth,
         population: (4.0, 3.5),
         sigma: 0.5,
         inherit: true,

@@ -28,7 +28,7 @@ def mesh_of(data):
     return boxmorph.Mesh(data["vertices"], np.ascontiguousarray(data["faces"], np.int32))
 
 
-def graph_of(mesh, data, level):
+def graph_of(mesh, data, level, boundary="paper"):
     def part(name, dtype):
         return np.ascontiguousarray(data[f"L{level}_{name}"], dtype)
 
@@ -42,6 +42,7 @@ def graph_of(mesh, data, level):
         part("tree_parent_point", np.float32),
         part("tree_child_point", np.float32),
         part("graph_edges_executed", np.int32),
+        boundary,
     )
 
 
@@ -64,6 +65,46 @@ def test_the_field_is_the_deformation(data, level):
     change = np.float32(0.7) * data[f"L{level}_params"][0]
     moved = data["vertices"] + np.einsum("pa,apn->na", change, field)
     np.testing.assert_allclose(moved, graph.deform(1 + change), atol=2e-6)
+
+
+def worst_stretch(data, level, moved):
+    """Return by how much the edge that crosses a boundary and stretches most does so."""
+    corners = data["faces"]
+    edges = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])
+    a, b = edges[np.ptp(data[f"L{level}_assignment"][edges], axis=1) > 0].T
+    length = np.linalg.norm(data["vertices"][a] - data["vertices"][b], axis=1)
+    return (np.linalg.norm(moved[a] - moved[b], axis=1) / length).max()
+
+
+def test_the_smooth_boundary_stretches_less_than_half_as_much_and_spoils_less():
+    stretch, spoilt = [], []
+    for name, level in product(SHAPES, LEVELS):
+        with np.load(REFERENCE / name) as archive:
+            data = {key: archive[key] for key in archive.files}
+        mesh = mesh_of(data)
+        graph = graph_of(mesh, data, level, "smooth")
+        worst = []
+        for k, (params, theirs) in enumerate(
+            zip(data[f"L{level}_params"], data[f"L{level}_deformed"], strict=True)
+        ):
+            ours = graph.deform(np.float32(1.0) + np.float32(0.7) * params)
+            worst.append((worst_stretch(data, level, ours), worst_stretch(data, level, theirs)))
+            spoilt.append(
+                (
+                    boxmorph.metrics.gaussian_curvature_change(mesh, ours),
+                    data[f"L{level}_gc_change"][k],
+                    boxmorph.metrics.self_intersection_ratio(mesh, ours),
+                    data[f"L{level}_self_intersection_ratio"][k],
+                )
+            )
+        stretch.append(np.max(worst, axis=0))
+    ours, theirs = np.median(stretch, axis=0)
+    assert ours <= 0.5 * theirs
+    ours, theirs = np.max(stretch, axis=0)
+    assert ours <= 0.5 * theirs
+    curvature, their_curvature, crossed, their_crossed = np.mean(spoilt, axis=0)
+    assert curvature <= their_curvature
+    assert crossed <= their_crossed
 
 
 def overlap(a, b):
