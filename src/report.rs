@@ -27,8 +27,12 @@ pub struct Report {
     pub preset: String,
     /// The seed.
     pub seed: u64,
-    /// The split count that won.
-    pub splits: u32,
+    /// The split count that won; none where the parts were given.
+    pub splits: Option<u32>,
+    /// Whether each parameter row kept its scale on x, y and z, where there were locks.
+    pub locked: Option<Vec<[bool; 3]>>,
+    /// Least and greatest scale factor.
+    pub scale_range: [f32; 2],
     /// The symmetry axis, if any.
     pub symmetry: Option<String>,
     /// The boundary step.

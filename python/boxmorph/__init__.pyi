@@ -66,6 +66,8 @@ class BoxDefGraph:
     @property
     def parameter_rows(self) -> int: ...  # P, the number of mid and pos boxes
     @property
+    def parameter_row_of_box(self) -> NDArray[np.int32]: ...  # (b,)
+    @property
     def symmetry(self) -> Literal["x", "y", "z"] | None: ...
     def deform(self, scales: NDArray[np.float32]) -> NDArray[np.float32]:
         """Scale factors (P, 3), 1 = unchanged, to positions (n, 3)."""
@@ -123,8 +125,12 @@ class Job:
         splits: Literal["auto"] | int | None = None,
         symmetry: Symmetry = "auto",
         boundary: Boundary | None = None,  # None: the preset's
+        graph: BoxDefGraph | None = None,  # parts that are known already; None finds them
+        locked: NDArray[np.bool_] | None = None,  # (P, 3), what of the graph keeps its scale
+        scale_range: tuple[float, float] = (0.3, 3.1),  # least and greatest scale factor
         renderer: Renderer = "auto",
-        keep_size: Literal["diagonal", "height", "off"] = "diagonal",
+        keep_size: Literal["diagonal", "height", "footprint", "off"]
+        | None = None,  # None: the diagonal; with locks "off", so that what is locked keeps its size
         keep_place: Literal["bottom", "off"] = "bottom",
         points: NDArray[np.float32] | None = None,  # (k, 3), moved by the same field
     ) -> None: ...

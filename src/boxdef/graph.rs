@@ -26,6 +26,7 @@ pub struct BoxDefGraph {
     rows: Vec<usize>,
     parameter_rows: usize,
     symmetry_axis: Option<usize>,
+    boundary: Boundary,
     frame: Frame,
     field: DeformField,
 }
@@ -107,7 +108,7 @@ impl BoxDefGraph {
             Propagation { frame, parts: &parts, rows: &rows, vertices, mirror, boundary, stages };
         let basis = propagation.basis(parameter_rows);
         let field = DeformField::new(mesh.vertices().to_vec(), parameter_rows, basis);
-        Self { parts, rows, parameter_rows, symmetry_axis, frame, field }
+        Self { parts, rows, parameter_rows, symmetry_axis, boundary, frame, field }
     }
 }
 
@@ -186,6 +187,12 @@ impl BoxDefGraph {
     #[must_use]
     pub fn symmetry_axis(&self) -> Option<usize> {
         self.symmetry_axis
+    }
+
+    /// How parts follow each other where they meet.
+    #[must_use]
+    pub fn boundary(&self) -> Boundary {
+        self.boundary
     }
 
     /// The deformation field of the mesh's vertices.

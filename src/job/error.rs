@@ -9,7 +9,7 @@ use thiserror::Error;
 use crate::boxdef::BoxDefError;
 use crate::guide::GuideError;
 use crate::render::RenderError;
-use crate::search::{ObjectiveError, SearchError};
+use crate::search::{ObjectiveError, SearchError, SpaceError};
 
 /// Why a job gives no outcome. Cheap to clone: it is reported each time the result is asked for.
 #[derive(Debug, Clone, Error)]
@@ -29,6 +29,18 @@ pub enum JobError {
     /// The extra points are not numbers.
     #[error("the points hold NaN or infinite coordinates; repair the base mesh")]
     BadPoints,
+    /// The graph belongs to another mesh.
+    #[error("the graph was built from a mesh of other vertices; build it from this one")]
+    OtherMesh,
+    /// A graph and a number of splits were given.
+    #[error("a graph has its parts already; give either the graph or the number of splits")]
+    GraphAndSplits,
+    /// Locks without the graph whose rows they name.
+    #[error("locked names the parameter rows of a graph; give that graph too")]
+    LocksWithoutGraph,
+    /// There is nothing to search.
+    #[error(transparent)]
+    Space(#[from] SpaceError),
     /// A defect of ours.
     #[error("Boxmorph failed in a way that was not foreseen ({0}); please report it with the object")]
     Panic(String),

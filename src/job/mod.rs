@@ -16,11 +16,11 @@ pub use error::JobError;
 pub use outcome::Outcome;
 pub use progress::Progress;
 
-use crate::boxdef::{Boundary, Symmetry};
+use crate::boxdef::{Boundary, BoxDefGraph, Symmetry};
 use crate::guide::Guide;
 use crate::mesh::Mesh;
 use crate::render::Backend;
-use crate::search::{KeepPlace, KeepSize, Preset};
+use crate::search::{KeepPlace, KeepSize, Preset, SearchSpace};
 use progress::Harness;
 
 /// What a job is to do. The guide is shared: it is opened once a session.
@@ -36,6 +36,12 @@ pub struct JobSpec {
     pub preset: Preset,
     /// Same seed, same outcome.
     pub seed: u64,
+    /// The parts, where they are known already; `None` finds them.
+    pub graph: Option<Arc<BoxDefGraph>>,
+    /// Whether each parameter row of the given graph keeps its scale on x, y and z; `None` locks nothing.
+    pub locked: Option<Vec<[bool; 3]>>,
+    /// Least and greatest scale factor.
+    pub scale_range: (f32, f32),
     /// Split count; `None` tries those of the preset and keeps the best.
     pub splits: Option<u32>,
     /// Symmetry of the part boxes.
@@ -44,12 +50,22 @@ pub struct JobSpec {
     pub boundary: Option<Boundary>,
     /// Who draws.
     pub backend: Backend,
-    /// Size kept by the gauge.
-    pub keep_size: KeepSize,
+    /// Size kept by the gauge; `None` keeps the diagonal, or the locked parts' size where parts are locked.
+    pub keep_size: Option<KeepSize>,
     /// Place kept by the gauge.
     pub keep_place: KeepPlace,
     /// Further points to be moved by the same field, such as a base mesh under modifiers.
     pub points: Option<Vec<Vec3>>,
+}
+
+impl JobSpec {
+    /// The size that the gauge keeps.
+    fn kept_size(&self) -> KeepSize {
+        // Unchanged scales and no gauge: what is locked keeps its size to the bit.
+        let locks = self.locked.iter().flatten().flatten().any(|&locked| locked);
+        let usual = if locks { KeepSize::Off } else { KeepSize::default() };
+        self.keep_size.unwrap_or(usual)
+    }
 }
 
 /// A running or finished deformation. Dropping it cancels the work.
@@ -65,7 +81,7 @@ pub struct Job {
 type Ended = Result<Arc<Outcome>, JobError>;
 
 impl Job {
-    /// Checks the prompt; nothing runs yet.
+    /// Checks what is to be done; nothing runs yet.
     pub fn new(spec: JobSpec) -> Result<Self, JobError> {
         spec.guide.check_prompt(&spec.prompt)?;
         if let Some(points) = &spec.points
@@ -73,6 +89,14 @@ impl Job {
         {
             return Err(JobError::BadPoints);
         }
+        match &spec.graph {
+            Some(_) if spec.splits.is_some() => return Err(JobError::GraphAndSplits),
+            Some(graph) if graph.field().rest() != spec.mesh.vertices() => return Err(JobError::OtherMesh),
+            None if spec.locked.is_some() => return Err(JobError::LocksWithoutGraph),
+            _ => {}
+        }
+        let rows = spec.graph.as_ref().map_or(1, |graph| graph.parameter_rows());
+        SearchSpace::new(rows, spec.locked.as_deref(), spec.scale_range)?;
         Ok(Self {
             spec: Arc::new(spec),
             harness: Arc::new(Harness::default()),

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::Vec3;
 
 use super::JobSpec;
-use crate::boxdef::{BoxDefGraph, DeformField};
+use crate::boxdef::{BoxDefError, BoxDefGraph, DeformField};
 use crate::report::Report;
 use crate::search::Gauge;
 use crate::spectrum::SliderLimits;
@@ -14,10 +14,23 @@ use crate::spectrum::SliderLimits;
 /// A graph with its field on the mesh, and on the extra points where there are any.
 #[derive(Debug)]
 pub struct Stage {
-    pub splits: u32,
+    pub splits: Option<u32>,
     pub graph: Arc<BoxDefGraph>,
     pub field: Arc<DeformField>,
     pub points_field: Option<DeformField>,
+}
+
+impl Stage {
+    /// Computes the fields.
+    pub fn new(
+        splits: Option<u32>,
+        graph: Arc<BoxDefGraph>,
+        points: Option<&[Vec3]>,
+    ) -> Result<Self, BoxDefError> {
+        let field = Arc::new(graph.field().clone());
+        let points_field = points.map(|points| graph.field_at(points)).transpose()?;
+        Ok(Self { splits, graph, field, points_field })
+    }
 }
 
 /// A candidate worth showing.
@@ -38,7 +51,7 @@ impl Best {
     /// The gauge and the mesh's positions under it.
     pub fn gauged(&self, spec: &JobSpec) -> (Gauge, Vec<Vec3>) {
         let mut vertices = self.stage.field.deform(&self.scales);
-        let gauge = Gauge::new(spec.mesh.vertices(), &vertices, spec.keep_size, spec.keep_place);
+        let gauge = Gauge::new(spec.mesh.vertices(), &vertices, spec.kept_size(), spec.keep_place);
         gauge.apply(&mut vertices);
         (gauge, vertices)
     }

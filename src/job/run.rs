@@ -11,7 +11,7 @@ use super::{JobError, JobSpec};
 use crate::boxdef::BoxDefGraph;
 use crate::render::{self, View};
 use crate::report::{GuideRecord, Report};
-use crate::search::{self, Evaluation, Footing, ImagePlan, Objective, StopReason, Target};
+use crate::search::{self, Evaluation, Footing, ImagePlan, Objective, SearchSpace, StopReason, Target};
 use crate::spectrum::{DEFAULT_RANGE, slider_limits};
 
 /// Between the seeds of searches of the same boxes; far from the small seeds that people choose.
@@ -61,6 +61,9 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
 /// The graphs to search. A split count that gives the boxes of an earlier one shares its graph: the boxes are
 /// then searched again, from another seed.
 fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError> {
+    if let Some(graph) = &spec.graph {
+        return Ok(vec![Arc::new(Stage::new(None, graph.clone(), spec.points.as_deref())?)]);
+    }
     let counts = spec.splits.map_or_else(|| spec.preset.splits.to_vec(), |splits| vec![splits]);
     let boundary = spec.boundary.unwrap_or(spec.preset.boundary);
     let mut stages: Vec<Arc<Stage>> = Vec::new();
@@ -74,9 +77,7 @@ fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError
             stages.push(same.clone());
             continue;
         }
-        let field = Arc::new(graph.field().clone());
-        let points_field = spec.points.as_ref().map(|points| graph.field_at(points)).transpose()?;
-        stages.push(Arc::new(Stage { splits, graph, field, points_field }));
+        stages.push(Arc::new(Stage::new(Some(splits), graph, spec.points.as_deref())?));
     }
     Ok(stages)
 }
@@ -113,27 +114,29 @@ fn search_stage(
     let total = harness.progress().generations.max(1);
     let evaluations_before = spent.evaluations;
     let mut shown = winner.map_or(f64::NEG_INFINITY, |w| w.after.score);
-    let footing = spec.preset.footing.then(|| Footing::of(&stage.graph)).flatten();
+    let space = SearchSpace::new(stage.graph.parameter_rows(), spec.locked.as_deref(), spec.scale_range)?;
+    let footing = spec.preset.footing.then(|| Footing::of(&stage.graph, &space)).flatten();
     let start = match winner {
         Some(w) if spec.preset.inherit => {
             search::inherit(&stage.graph, &w.best.stage.field.deform(&w.best.scales))
         }
         _ => unchanged.clone(),
     };
-    let found = search::search(&mut objective, footing.as_ref(), &spec.preset, &start, seed, |generation| {
-        let done = generations_before + generation.number;
-        harness.update(|p| {
-            p.generation = done;
-            p.evaluations = evaluations_before + generation.evaluations;
-            p.fraction = done as f64 / total as f64;
-        });
-        if generation.best_score > shown {
-            shown = generation.best_score;
-            let scales = generation.best_scales.to_vec();
-            harness.set_best(Best { score: shown, scales, stage: stage.clone() });
-        }
-        check(harness)
-    })?;
+    let found =
+        search::search(&mut objective, &space, footing.as_ref(), &spec.preset, &start, seed, |generation| {
+            let done = generations_before + generation.number;
+            harness.update(|p| {
+                p.generation = done;
+                p.evaluations = evaluations_before + generation.evaluations;
+                p.fraction = done as f64 / total as f64;
+            });
+            if generation.best_score > shown {
+                shown = generation.best_score;
+                let scales = generation.best_scales.to_vec();
+                harness.set_best(Best { score: shown, scales, stage: stage.clone() });
+            }
+            check(harness)
+        })?;
     spent.generations += found.generations;
     spent.evaluations += found.evaluations;
     let after = objective.evaluate(std::slice::from_ref(&found.scales), ImagePlan::All)?[0];
@@ -163,8 +166,10 @@ fn outcome(spec: &JobSpec, harness: &Harness, winner: Finalist, spent: Spent) ->
         preset: spec.preset.name.into(),
         seed: spec.seed,
         splits: best.stage.splits,
+        locked: spec.locked.clone(),
+        scale_range: spec.scale_range.into(),
         symmetry: graph.symmetry_axis().map(|axis| ["x", "y", "z"][axis].into()),
-        boundary: spec.boundary.unwrap_or(spec.preset.boundary).name().into(),
+        boundary: graph.boundary().name().into(),
         renderer: spent.renderer,
         vertices: spec.mesh.vertices().len(),
         triangles: spec.mesh.triangles().len(),

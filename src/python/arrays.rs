@@ -59,6 +59,13 @@ pub fn integers(value: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<i32>> {
     flat_integers(value, name, 1)
 }
 
+/// An `(n, 3)` bool array.
+pub fn flags(value: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<[bool; 3]>> {
+    let array = flat::<bool>(value, name, "bool")?;
+    check_columns(array.shape(), 3, name)?;
+    Ok(array.as_slice()?.chunks_exact(3).map(|row| [row[0], row[1], row[2]]).collect())
+}
+
 /// An `(n, 2)` array of any integer dtype.
 pub fn pairs(value: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<[i32; 2]>> {
     let flat = flat_integers(value, name, 2)?;

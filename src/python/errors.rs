@@ -66,7 +66,12 @@ impl IntoPyErr for JobError {
             Self::Cancelled => Cancelled::new_err(self.to_string()),
             Self::Guide(error) => error.as_ref().into_py_err(),
             Self::Render(error) => error.as_ref().into_py_err(),
-            Self::BoxDef(_) | Self::BadPoints => PyValueError::new_err(self.to_string()),
+            Self::BoxDef(_)
+            | Self::BadPoints
+            | Self::OtherMesh
+            | Self::GraphAndSplits
+            | Self::LocksWithoutGraph
+            | Self::Space(_) => PyValueError::new_err(self.to_string()),
             error => PyRuntimeError::new_err(error.to_string()),
         }
     }

@@ -137,6 +137,11 @@ impl PyBoxDefGraph {
         self.0.parameter_rows()
     }
 
+    #[getter]
+    fn parameter_row_of_box<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i32>> {
+        PyArray1::from_iter(py, self.0.parameter_row_of_box().iter().map(|&row| row as i32))
+    }
+
     /// The axis of symmetry, "x", "y" or "z"; None where there is none.
     #[getter]
     fn symmetry(&self) -> Option<&'static str> {

@@ -14,7 +14,7 @@ use super::graph::{self, PyBoxDefGraph, PyMesh};
 use super::guide::PyGuide;
 use crate::guide::Guide;
 use crate::job::{Job, JobSpec, Outcome};
-use crate::search::{KeepPlace, KeepSize, Preset};
+use crate::search::{KeepPlace, KeepSize, Preset, SCALE_RANGE};
 
 /// A deformation on a thread of its own; not started when made.
 #[pyclass(frozen, name = "Job", module = "boxmorph")]
@@ -24,7 +24,8 @@ pub struct PyJob(Job);
 impl PyJob {
     #[new]
     #[pyo3(signature = (mesh, prompt, guide=None, preset="standard", seed=0, *, splits=None, symmetry="auto", boundary=None,
-                        renderer="auto", keep_size="diagonal", keep_place="bottom", points=None))]
+                        graph=None, locked=None, scale_range=SCALE_RANGE, renderer="auto", keep_size=None,
+                        keep_place="bottom", points=None))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of the Python surface")]
     fn new(
         py: Python<'_>,
@@ -36,8 +37,11 @@ impl PyJob {
         splits: Option<&Bound<'_, PyAny>>,
         symmetry: &str,
         boundary: Option<&str>,
+        graph: Option<&PyBoxDefGraph>,
+        locked: Option<&Bound<'_, PyAny>>,
+        scale_range: (f32, f32),
         renderer: &str,
-        keep_size: &str,
+        keep_size: Option<&str>,
         keep_place: &str,
         points: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
@@ -51,11 +55,14 @@ impl PyJob {
             guide,
             preset: self::preset(preset)?,
             seed,
+            graph: graph.map(|graph| graph.0.clone()),
+            locked: locked.map(|locked| arrays::flags(locked, "locked")).transpose()?,
+            scale_range,
             splits: splits.map(self::splits).transpose()?.flatten(),
             symmetry: graph::symmetry(symmetry)?,
             boundary: boundary.map(str::parse).transpose().map_err(IntoPyErr::into_py_err)?,
             backend: renderer.parse().map_err(|e| IntoPyErr::into_py_err(&e))?,
-            keep_size: self::keep_size(keep_size)?,
+            keep_size: keep_size.map(self::keep_size).transpose()?,
             keep_place: self::keep_place(keep_place)?,
             points: points.map(|points| arrays::vectors(points, "points")).transpose()?,
         };
@@ -196,9 +203,10 @@ fn keep_size(name: &str) -> PyResult<KeepSize> {
     match name {
         "diagonal" => Ok(KeepSize::Diagonal),
         "height" => Ok(KeepSize::Height),
+        "footprint" => Ok(KeepSize::Footprint),
         "off" => Ok(KeepSize::Off),
         _ => Err(PyValueError::new_err(format!(
-            "unknown keep_size \"{name}\": choose \"diagonal\", \"height\" or \"off\""
+            "unknown keep_size \"{name}\": choose \"diagonal\", \"height\", \"footprint\" or \"off\""
         ))),
     }
 }

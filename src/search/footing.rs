@@ -7,12 +7,16 @@
 //! object as well, and so along the whole spectrum.
 
 use glam::Vec3;
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use nalgebra::{DMatrix, DVector};
 
+use super::SearchSpace;
 use crate::boxdef::BoxDefGraph;
 
 /// Parts whose lowest vertex is within this share of the object's height of the floor stand on it.
 const ON_FLOOR: f32 = 0.01;
+
+/// A foot that moves by less than this per unit of change cannot be moved.
+const SINGULAR: f64 = 1e-9;
 
 /// Rounds of correction: scale factors that reach their range in one leave the rest to the next.
 const ROUNDS: usize = 4;
@@ -20,18 +24,19 @@ const ROUNDS: usize = 4;
 /// The equations that keep the feet of an object (z up) level.
 #[derive(Debug, Clone)]
 pub struct Footing {
-    /// Parameter rows that stand on the floor.
+    /// Parameter rows that stand on the floor and may change their height.
     rows: Vec<usize>,
     /// Height of each later foot over the first, per unit of change of each parameter row's z.
     slopes: DMatrix<f64>,
-    /// `slopes` over the standing rows alone, times its transpose, factorised.
-    normal: Cholesky<f64, Dyn>,
+    /// Pseudo-inverse of `slopes` over `rows` alone: the least correction.
+    correction: DMatrix<f64>,
 }
 
 impl Footing {
-    /// The footing of an object; none where fewer than two parameter rows stand on the floor.
+    /// The footing of an object; none where fewer than two parameter rows stand on the floor, or where all
+    /// that do are locked.
     #[must_use]
-    pub fn of(graph: &BoxDefGraph) -> Option<Self> {
+    pub fn of(graph: &BoxDefGraph, space: &SearchSpace) -> Option<Self> {
         let field = graph.field();
         let heights = || field.rest().iter().map(|v| v.z);
         let floor = heights().fold(f32::INFINITY, f32::min);
@@ -60,18 +65,19 @@ impl Footing {
         let slopes = DMatrix::from_fn(rows.len() - 1, graph.parameter_rows(), |foot, row| {
             slope(row, feet[foot + 1]) - slope(row, feet[0])
         });
-        let own = slopes.select_columns(&rows);
-        let normal = (&own * own.transpose()).cholesky()?;
-        Some(Self { rows, slopes, normal })
+        let rows: Vec<usize> = rows.into_iter().filter(|&row| !space.is_locked(row, 2)).collect();
+        if rows.is_empty() {
+            return None;
+        }
+        let correction = slopes.select_columns(&rows).pseudo_inverse(SINGULAR).ok()?;
+        Some(Self { rows, slopes, correction })
     }
 
     /// Moves the z scale factors of the standing rows as little as can be, within `range`, to level the feet.
     pub fn level(&self, scales: &mut [Vec3], range: (f32, f32)) {
-        let own = self.slopes.select_columns(&self.rows);
         for _ in 0..ROUNDS {
             let changes = DVector::from_iterator(scales.len(), scales.iter().map(|c| f64::from(c.z) - 1.0));
-            let apart = &self.slopes * changes;
-            let step = own.transpose() * self.normal.solve(&apart);
+            let step = &self.correction * (&self.slopes * changes);
             for (&row, step) in self.rows.iter().zip(step.iter()) {
                 scales[row].z = (scales[row].z - *step as f32).clamp(range.0, range.1);
             }
@@ -130,7 +136,7 @@ mod tests {
     #[test]
     fn feet_stay_level_whatever_the_scales() {
         let graph = bench();
-        let footing = Footing::of(&graph).expect("both legs stand on the floor");
+        let footing = Footing::of(&graph, &SearchSpace::free(3)).expect("both legs stand on the floor");
         for (seat, left, right) in [(1.0, 0.5, 2.0), (0.4, 1.5, 1.0), (2.5, 3.0, 0.9)] {
             let mut scales = [Vec3::splat(seat), Vec3::splat(left), Vec3::splat(right)];
             let before = feet(&graph, &scales);
@@ -144,9 +150,22 @@ mod tests {
     }
 
     #[test]
+    fn a_locked_leg_is_followed_by_the_other() {
+        let graph = bench();
+        let locked = [[false; 3], [false, false, true], [false; 3]];
+        let space = SearchSpace::new(3, Some(&locked), (0.3, 3.1)).expect("something is free");
+        let footing = Footing::of(&graph, &space).expect("both legs stand on the floor");
+        let mut scales = [Vec3::splat(1.2), Vec3::ONE, Vec3::splat(2.0)];
+        footing.level(&mut scales, space.range());
+        let after = feet(&graph, &scales);
+        assert!((after[0] - after[1]).abs() < 1e-3, "{after:?}");
+        assert_eq!(scales[1], Vec3::ONE);
+    }
+
+    #[test]
     fn level_feet_are_left_alone() {
         let graph = bench();
-        let footing = Footing::of(&graph).expect("both legs stand on the floor");
+        let footing = Footing::of(&graph, &SearchSpace::free(3)).expect("both legs stand on the floor");
         let mut scales = [Vec3::ONE; 3];
         footing.level(&mut scales, (0.3, 3.1));
         assert_eq!(scales, [Vec3::ONE; 3]);

@@ -19,6 +19,8 @@ pub enum KeepSize {
     Diagonal,
     /// The extent along z; of a flat shape, the diagonal.
     Height,
+    /// The diagonal of the floor rectangle, x by y; of a shape without one, of the bounding box.
+    Footprint,
     /// None: the size is left as the search found it.
     Off,
 }
@@ -58,6 +60,7 @@ impl Gauge {
         let scale = match size {
             KeepSize::Off => None,
             KeepSize::Height => rest.height_over(&deformed).or_else(|| rest.diagonal_over(&deformed)),
+            KeepSize::Footprint => rest.footprint_over(&deformed).or_else(|| rest.diagonal_over(&deformed)),
             KeepSize::Diagonal => rest.diagonal_over(&deformed),
         };
         // Rounded first, so that the shift belongs to the scale that is applied.
@@ -114,6 +117,15 @@ impl Extent {
         Some(self.height()? / other.height()?)
     }
 
+    fn footprint(&self) -> Option<f64> {
+        let footprint = self.min.truncate().distance(self.max.truncate());
+        (footprint > FLAT * self.diagonal()).then_some(footprint)
+    }
+
+    fn footprint_over(&self, other: &Self) -> Option<f64> {
+        Some(self.footprint()? / other.footprint()?)
+    }
+
     fn diagonal_over(&self, other: &Self) -> Option<f64> {
         (self.diagonal() > 0.0 && other.diagonal() > 0.0).then(|| self.diagonal() / other.diagonal())
     }
@@ -146,7 +158,7 @@ mod tests {
     #[test]
     fn size_and_place_are_those_of_the_rest_shape() {
         let rest = Extent::of(&rest()).unwrap();
-        for size in [KeepSize::Diagonal, KeepSize::Height, KeepSize::Off] {
+        for size in [KeepSize::Diagonal, KeepSize::Height, KeepSize::Footprint, KeepSize::Off] {
             let extent = gauged(size, KeepPlace::BottomCenter);
             assert!(extent.bottom_center().distance(rest.bottom_center()) < 1e-5);
         }
@@ -154,6 +166,8 @@ mod tests {
         assert!((same_diagonal - rest.diagonal()).abs() < 1e-5);
         let same_height = gauged(KeepSize::Height, KeepPlace::BottomCenter).height().unwrap();
         assert!((same_height - 4.0).abs() < 1e-5);
+        let same_footprint = gauged(KeepSize::Footprint, KeepPlace::BottomCenter).footprint().unwrap();
+        assert!((same_footprint - 5.0_f64.sqrt()).abs() < 1e-5);
     }
 
     #[test]
@@ -175,7 +189,7 @@ mod tests {
     #[test]
     fn with_both_off_or_nothing_deformed_nothing_changes() {
         assert_eq!(Gauge::new(&rest(), &deformed(), KeepSize::Off, KeepPlace::Off), Gauge::IDENTITY);
-        for size in [KeepSize::Diagonal, KeepSize::Height, KeepSize::Off] {
+        for size in [KeepSize::Diagonal, KeepSize::Height, KeepSize::Footprint, KeepSize::Off] {
             for place in [KeepPlace::BottomCenter, KeepPlace::Off] {
                 let mut points = rest();
                 Gauge::new(&rest(), &points, size, place).apply(&mut points);

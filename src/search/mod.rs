@@ -8,6 +8,7 @@ mod inherit;
 mod objective;
 mod preset;
 mod run;
+mod space;
 mod target;
 
 pub use cmaes::{Bounds, CmaEs, CmaEsOptions, SearchError, StopReason};
@@ -17,4 +18,5 @@ pub use inherit::inherit;
 pub use objective::{Evaluation, Objective, ObjectiveError};
 pub use preset::{ImagePlan, Preset};
 pub use run::{Found, Generation, search};
+pub use space::{SCALE_RANGE, SearchSpace, SpaceError};
 pub use target::Target;

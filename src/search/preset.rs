@@ -4,12 +4,6 @@
 use crate::boxdef::Boundary;
 use crate::render::BACKGROUNDS;
 
-/// Range of the search variable x; a scale factor is `1 + SCALE_PER_X · x` (paper §4, reference protocol).
-pub const X_RANGE: (f64, f64) = (-1.0, 3.0);
-
-/// Scale change of one unit of the search variable.
-pub const SCALE_PER_X: f64 = 0.7;
-
 /// Weight of the normal error in the loss.
 pub const NORMAL_WEIGHT: f64 = 0.25;
 

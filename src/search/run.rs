@@ -4,8 +4,7 @@
 use glam::Vec3;
 
 use super::cmaes::{CmaEs, CmaEsOptions};
-use super::preset::{Preset, SCALE_PER_X, X_RANGE};
-use super::{Bounds, Footing, Objective, ObjectiveError, SearchError, StopReason};
+use super::{Footing, Objective, ObjectiveError, Preset, SearchError, SearchSpace, StopReason};
 
 /// What is known after each generation.
 #[derive(Debug)]
@@ -33,33 +32,34 @@ pub struct Found {
     pub stop: StopReason,
 }
 
-/// Minimises the objective's loss from the `start`, a row of scale factors a parameter row. A `footing` levels
-/// the feet of every candidate before it is evaluated. `each_generation` may end the search with its own error.
+/// Minimises the objective's loss over a space from the `start`, a row of scale factors a parameter row. A
+/// `footing` levels the feet of every candidate before it is evaluated. `each_generation` may end the search
+/// with its own error.
 pub fn search<E: From<SearchError> + From<ObjectiveError>>(
     objective: &mut Objective<'_>,
+    space: &SearchSpace,
     footing: Option<&Footing>,
     preset: &Preset,
     start: &[Vec3],
     seed: u64,
     mut each_generation: impl FnMut(&Generation<'_>) -> Result<(), E>,
 ) -> Result<Found, E> {
-    let dimensions = 3 * objective.parameter_rows();
     let mut cma = CmaEs::new(CmaEsOptions {
-        start: start.iter().flat_map(|s| s.to_array().map(x_of)).collect(),
+        start: space.point(start),
         sigma: preset.sigma,
-        bounds: Bounds::Same(X_RANGE.0, X_RANGE.1),
-        population: Some(preset.population(dimensions)),
+        bounds: space.bounds(),
+        population: Some(preset.population(space.dimensions())),
         seed,
         max_generations: preset.max_generations,
         tol_fun: preset.tol_fun,
         ..CmaEsOptions::default()
     })?;
-    let mut best = (f64::INFINITY, f64::NEG_INFINITY, vec![Vec3::ONE; dimensions / 3]);
+    let mut best = (f64::INFINITY, f64::NEG_INFINITY, vec![Vec3::ONE; start.len()]);
     loop {
-        let mut candidates: Vec<Vec<Vec3>> = cma.ask().iter().map(|x| scales_of(x)).collect();
+        let mut candidates: Vec<Vec<Vec3>> = cma.ask().iter().map(|x| space.scales(x)).collect();
         if let Some(footing) = footing {
             for scales in &mut candidates {
-                footing.level(scales, scale_range());
+                footing.level(scales, space.range());
             }
         }
         let evaluations = objective.evaluate(&candidates, preset.images)?;
@@ -81,21 +81,4 @@ pub fn search<E: From<SearchError> + From<ObjectiveError>>(
             return Ok(Found { scales: best.2, generations, evaluations, stop });
         }
     }
-}
-
-/// The least and greatest scale factor.
-fn scale_range() -> (f32, f32) {
-    let scale = |x: f64| (1.0 + SCALE_PER_X * x) as f32;
-    (scale(X_RANGE.0), scale(X_RANGE.1))
-}
-
-/// The search variable of a scale factor, within its range.
-fn x_of(scale: f32) -> f64 {
-    ((f64::from(scale) - 1.0) / SCALE_PER_X).clamp(X_RANGE.0, X_RANGE.1)
-}
-
-/// Scale factors, `1 + 0.7 x`, of a search point of three numbers a parameter row.
-fn scales_of(x: &[f64]) -> Vec<Vec3> {
-    let scale = |x: f64| (1.0 + SCALE_PER_X * x) as f32;
-    x.chunks_exact(3).map(|x| Vec3::new(scale(x[0]), scale(x[1]), scale(x[2]))).collect()
 }
