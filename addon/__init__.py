@@ -6,16 +6,18 @@ The work is done by the Rust module `boxmorph`, which is imported at first use a
 
 import bpy
 
-from . import command, operators, panels, preferences, properties
+from . import command, operators, panels, parts, parts_view, preferences, properties
 
-_classes = preferences.classes + properties.classes + operators.classes + panels.classes
+_classes = preferences.classes + parts.classes + properties.classes + operators.classes + panels.classes
 _commands = []
 
 
 def register():
     for cls in _classes:
         bpy.utils.register_class(cls)
+    parts.register_object()
     properties.register_scene()
+    parts_view.register_view()
     _commands.append(bpy.utils.register_cli_command("boxmorph", command.main))
 
 
@@ -23,6 +25,8 @@ def unregister():
     operators.stop_running()
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())
+    parts_view.unregister_view()
     properties.unregister_scene()
+    parts.unregister_object()
     for cls in reversed(_classes):
         bpy.utils.unregister_class(cls)

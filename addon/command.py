@@ -13,11 +13,12 @@ import sys
 import tempfile
 
 import bpy
+import numpy as np
 
-from . import engine, images, keyframes, operators
+from . import engine, images, keyframes, operators, parts
 from .errors import Refusal
 from .preferences import RENDERERS
-from .properties import PRESETS, SPLITS, SYMMETRY
+from .properties import KEEP_SIZE, PRESETS, SPLITS, SYMMETRY
 from .search import Search
 
 DONE, FAILED, USAGE = 0, 1, 2
@@ -43,7 +44,20 @@ def _parser():
     )
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
     _add_deform(commands)
+    _add_parts(commands)
     return parser
+
+
+def _add_parts(commands):
+    command = commands.add_parser(
+        "parts",
+        help="list the parts of one object, to be locked by name",
+        description="List the parts of one object: what deform --lock takes.",
+    )
+    command.add_argument("--object", metavar="NAME", help="the object (default: the active one)")
+    command.add_argument("--splits", choices=[item[0] for item in SPLITS], default="auto")
+    command.add_argument("--symmetry", choices=[item[0] for item in SYMMETRY], default="auto")
+    command.set_defaults(run=_parts)
 
 
 def _add_deform(commands):
@@ -60,6 +74,21 @@ def _add_deform(commands):
     )
     deform.add_argument("--splits", choices=[item[0] for item in SPLITS], default="auto")
     deform.add_argument("--symmetry", choices=[item[0] for item in SYMMETRY], default="auto")
+    deform.add_argument(
+        "--lock",
+        action="append",
+        default=[],
+        metavar="PART[:AXES]",
+        help="keep the size of a part, such as “Top” or “Top:xy”; may be given more than once (see parts)",
+    )
+    deform.add_argument("--keep-size", choices=[item[0] for item in KEEP_SIZE], default="auto")
+    deform.add_argument(
+        "--scales",
+        type=_scales,
+        default=(0.3, 3.1),
+        metavar="LEAST:GREATEST",
+        help="how far parts may be scaled (default: 0.3:3.1)",
+    )
     deform.add_argument(
         "--renderer", choices=[item[0] for item in RENDERERS], help="default: as in the preferences"
     )
@@ -91,6 +120,9 @@ def _deform(options):
         if path is not None:
             _require_writable(path)
 
+    if options.lock:
+        parts.find(obj, bpy.context, options.splits, options.symmetry)
+        _lock(obj, options.lock)
     search = Search(
         bpy.context,
         obj,
@@ -99,6 +131,9 @@ def _deform(options):
         seed=options.seed,
         splits=options.splits,
         symmetry=options.symmetry,
+        keep_size=options.keep_size,
+        least_scale=options.scales[0],
+        greatest_scale=options.scales[1],
         renderer=options.renderer,
     )
     for note in search.notes():
@@ -121,6 +156,32 @@ def _deform(options):
             file.write("\n")
     print(f"boxmorph: {search.summary()}, saved in {output}", flush=True)
     return DONE
+
+
+def _parts(options):
+    _opened_file()
+    obj = _object(options.object)
+    parts.find(obj, bpy.context, options.splits, options.symmetry)
+    boxes = parts.geometry(obj)["boxes"]
+    for row, part in enumerate(obj.boxmorph.items):
+        own = [2 * np.array(half) for _center, half, r in boxes if r == row]
+        size = " × ".join(f"{extent:.3g}" for extent in own[0])
+        print(f"{part.name}: {size}" + (" (two)" if len(own) == 2 else ""))
+    return DONE
+
+
+def _lock(obj, wanted):
+    """Lock parts of `obj` by name: “Top” wholly, “Top:xz” on these axes."""
+    items = obj.boxmorph.items
+    for text in wanted:
+        name, _, axes = text.partition(":")
+        part = next((part for part in items if part.name.lower() == name.strip().lower()), None)
+        if part is None:
+            known = ", ".join(f"“{part.name}”" for part in items)
+            raise Refusal(f"“{obj.name}” has no part named “{name}”. Its parts are {known}")
+        if not set(axes.lower()) <= set("xyz"):
+            raise Refusal(f"“{axes}” names no axes. Write x, y or z, or several, such as xy")
+        part.lock = [axis in (axes.lower() or "xyz") for axis in "xyz"]
 
 
 def _opened_file():
@@ -216,14 +277,23 @@ def _seed(text):
     return value
 
 
+def _scales(text):
+    """Parse LEAST:GREATEST."""
+    try:
+        least, greatest = (float(field) for field in text.split(":"))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"“{text}” is not LEAST:GREATEST, such as 0.5:2") from None
+    return least, greatest
+
+
 def _keyframes(text):
     """Parse FROM:TO or FROM:TO:VALUE:VALUE."""
-    parts = text.split(":")
+    fields = text.split(":")
     try:
-        if len(parts) not in (2, 4):
+        if len(fields) not in (2, 4):
             raise ValueError
-        frames = [int(part) for part in parts[:2]]
-        values = [float(part) for part in parts[2:]]
+        frames = [int(field) for field in fields[:2]]
+        values = [float(field) for field in fields[2:]]
     except ValueError:
         raise argparse.ArgumentTypeError(
             f"“{text}” is not FROM:TO, such as 1:60, or FROM:TO:VALUE:VALUE"

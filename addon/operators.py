@@ -17,6 +17,19 @@ _TICK_SECONDS = 0.1
 _NAVIGATION = frozenset(("MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "WHEELINMOUSE", "WHEELOUTMOUSE"))
 
 
+#: What the panel's settings and the operator's arguments say about a search.
+_CHOICES = (
+    "prompt",
+    "preset",
+    "seed",
+    "splits",
+    "symmetry",
+    "keep_size",
+    "least_scale",
+    "greatest_scale",
+)
+
+
 class _Running:
     """The one modal search of this Blender, as the panel and the handlers see it."""
 
@@ -139,7 +152,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         settings = context.scene.boxmorph
         chosen = {
             name: getattr(self if self.properties.is_property_set(name) else settings, name)
-            for name in ("prompt", "preset", "seed", "splits", "symmetry")
+            for name in _CHOICES
         }
         search = Search(context, context.active_object, **chosen)
         for note in search.notes():

@@ -80,6 +80,31 @@ class BOXMORPH_PT_outcomes(_Sidebar, bpy.types.Panel):
         layout.operator("boxmorph.keyframe_spectrum", icon="KEYINGSET")
 
 
+class BOXMORPH_PT_parts(_Sidebar, bpy.types.Panel):
+    bl_label = "Parts"
+    bl_parent_id = "BOXMORPH_PT_main"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context):
+        obj = context.active_object
+        return running_progress() is None and obj is not None and obj.type == "MESH"
+
+    def draw(self, context):
+        layout = self.layout
+        settings = context.scene.boxmorph
+        kept = context.active_object.boxmorph
+        row = layout.row(align=True)
+        row.operator(
+            "boxmorph.find_parts", icon="MESH_CUBE", text="Find Again" if kept.items else "Find Parts"
+        )
+        if not kept.items:
+            return
+        row.prop(settings, "show_parts", text="", icon="HIDE_OFF" if settings.show_parts else "HIDE_ON")
+        row.operator("boxmorph.forget_parts", text="", icon="X")
+        layout.template_list("BOXMORPH_UL_parts", "", kept, "items", kept, "active", rows=3)
+
+
 class BOXMORPH_PT_views(_Sidebar, bpy.types.Panel):
     bl_label = "Views"
     bl_parent_id = "BOXMORPH_PT_main"
@@ -105,7 +130,11 @@ class BOXMORPH_PT_search(_Sidebar, bpy.types.Panel):
         settings = context.scene.boxmorph
         layout.prop(settings, "splits")
         layout.prop(settings, "symmetry")
+        layout.prop(settings, "keep_size")
+        column = layout.column(align=True)
+        column.prop(settings, "least_scale")
+        column.prop(settings, "greatest_scale")
         layout.prop(preferences(), "renderer")
 
 
-classes = (BOXMORPH_PT_main, BOXMORPH_PT_outcomes, BOXMORPH_PT_views, BOXMORPH_PT_search)
+classes = (BOXMORPH_PT_main, BOXMORPH_PT_outcomes, BOXMORPH_PT_parts, BOXMORPH_PT_views, BOXMORPH_PT_search)

@@ -1,9 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the panel asks for, kept in the scene: prompt, preset, seed, search and keyframe settings."""
 
-import bpy
-from bpy.props import EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
+from contextlib import suppress
 
+import bpy
+from bpy.props import (
+    BoolProperty,
+    EnumProperty,
+    FloatProperty,
+    IntProperty,
+    PointerProperty,
+    StringProperty,
+)
+
+from . import parts
+from .errors import Refusal
 from .suggestions import suggest
 
 PRESETS = (
@@ -21,6 +32,44 @@ SYMMETRY = (
     ("y", "Y", "Keep front and back alike"),
     ("z", "Z", "Keep top and bottom alike"),
 )
+
+
+KEEP_SIZE = (
+    ("auto", "Automatic", "Keep the diagonal of the bounding box; where parts are locked, keep their size"),
+    ("diagonal", "Diagonal", "Keep the diagonal of the bounding box"),
+    ("height", "Height", "Keep the height"),
+    ("footprint", "Footprint", "Keep the diagonal of the rectangle on the floor"),
+    ("off", "Off", "Leave the size as the search finds it"),
+)
+
+
+def _splits(**options):
+    return EnumProperty(
+        name="Splits",
+        description="How finely to split the object into parts",
+        items=SPLITS,
+        default="auto",
+        **options,
+    )
+
+
+def _symmetry(**options):
+    return EnumProperty(
+        name="Symmetry",
+        description="Which mirror symmetry to keep",
+        items=SYMMETRY,
+        default="auto",
+        **options,
+    )
+
+
+def _find_again(settings, context):
+    """Show the parts of new settings at once, if parts are shown."""
+    obj = context.active_object
+    if obj is None or not obj.boxmorph.items:
+        return
+    with suppress(Refusal):
+        parts.find(obj, context, settings.splits, settings.symmetry)
 
 
 class SearchProperties:
@@ -41,16 +90,37 @@ class SearchProperties:
         min=0,
         default=0,
     )
-    splits: EnumProperty(
-        name="Splits", description="How finely to split the object into parts", items=SPLITS, default="auto"
+    splits: _splits()
+    symmetry: _symmetry()
+    keep_size: EnumProperty(
+        name="Keep", description="Which size of the object the result keeps", items=KEEP_SIZE, default="auto"
     )
-    symmetry: EnumProperty(
-        name="Symmetry", description="Which mirror symmetry to keep", items=SYMMETRY, default="auto"
+    least_scale: FloatProperty(
+        name="Least Scale",
+        description="No part gets smaller than this share of its size, before the size of the whole is kept",
+        min=0.05,
+        max=1.0,
+        default=0.3,
+    )
+    greatest_scale: FloatProperty(
+        name="Greatest",
+        description="No part gets larger than this many times its size, before the size of the whole is kept",
+        min=1.0,
+        max=10.0,
+        default=3.1,
     )
 
 
 class BoxmorphSettings(SearchProperties, bpy.types.PropertyGroup):
     """Settings of the panel; one set in each scene."""
+
+    splits: _splits(update=_find_again)
+    symmetry: _symmetry(update=_find_again)
+    show_parts: BoolProperty(
+        name="Show Parts",
+        description="Draw the parts of the active object as boxes, joined where they hang together",
+        default=True,
+    )
 
     frame_from: IntProperty(name="From Frame", description="Frame of the first keyframe", default=1)
     frame_to: IntProperty(name="To Frame", description="Frame of the second keyframe", default=60)

@@ -10,7 +10,7 @@ from contextlib import suppress
 
 import numpy as np
 
-from . import engine, mesh_io
+from . import engine, mesh_io, parts
 from .errors import Refusal
 from .preferences import preferences
 from .shape_key import Trial
@@ -20,7 +20,18 @@ class Search:
     """A running search on one object. Raises Refusal at once for anything that cannot work."""
 
     def __init__(
-        self, context, obj, prompt, preset="standard", seed=0, splits="auto", symmetry="auto", renderer=None
+        self,
+        context,
+        obj,
+        prompt,
+        preset="standard",
+        seed=0,
+        splits="auto",
+        symmetry="auto",
+        keep_size="auto",
+        least_scale=0.3,
+        greatest_scale=3.1,
+        renderer=None,
     ):
         mesh_io.deformable(obj)
         self._boxmorph = engine.library()
@@ -30,15 +41,22 @@ class Search:
         self.arrays = mesh_io.object_arrays(obj, context)
         self.uid, self.object_name = obj.session_uid, obj.name
         self.shared_by = obj.data.users
+        self.locked = parts.locks(obj)
         options = {
-            "splits": "auto" if splits == "auto" else int(splits),
-            "symmetry": symmetry,
+            "keep_size": None if keep_size == "auto" else keep_size,
+            "scale_range": (least_scale, greatest_scale),
             "renderer": renderer or preferences().renderer,
         }
         if self.arrays.points is not None:
             options["points"] = self.arrays.points
         try:
             mesh = self._boxmorph.Mesh(self.arrays.vertices, self.arrays.triangles)
+            if self.locked is None:
+                options["splits"] = "auto" if splits == "auto" else int(splits)
+                options["symmetry"] = symmetry
+            else:
+                options["graph"] = parts.kept_graph(obj, mesh, self.arrays.scale)
+                options["locked"] = self.locked
             self._job = self._boxmorph.Job(
                 mesh, self.prompt, guide=guide, preset=preset, seed=seed, **options
             )
@@ -61,6 +79,9 @@ class Search:
             notes.append(
                 f"Searching on the rest shape, without the modifiers {', '.join(self.arrays.left_out)}"
             )
+        if self.locked is not None:
+            count = int(self.locked.any(axis=1).sum())
+            notes.append(f"{count} of {len(self.locked)} parts {'is' if count == 1 else 'are'} locked")
         if self.shared_by > 1:
             notes.append(f"The mesh has {self.shared_by} users, and all of them get the shape key")
         return notes

@@ -109,6 +109,21 @@ def check_done(bench, boxmorph, counts):
     )
     counts.check(seen.get("curves") == [[[1, 0], [60, 1]]], "the spectrum is keyframed", seen)
 
+    run = boxmorph("parts", "--object", "Chair", "--splits", "3")
+    listed = [line.partition(":")[0] for line in run.stdout.splitlines() if " × " in line]
+    counts.check(run.returncode == 0 and len(listed) > 1, "parts are listed by name", run.stdout + run.stderr)
+    run = boxmorph(
+        *("deform", "--object", "Chair", "--prompt", "a bar stool", "--splits", "3", "--lock", listed[0]),
+        *("--output", f"{inside}/locked.blend", "--report", f"{inside}/locked.json", "--scales", "0.5:2"),
+    )
+    if counts.check(run.returncode == 0, "a listed part can be locked", run.stdout + run.stderr):
+        report = json.loads(Path(f"{outside}/locked.json").read_text(encoding="utf-8"))
+        counts.check(
+            report["scales"][0] == [1.0] * 3 and max(map(max, report["scales"])) <= 2.0,
+            "a locked part keeps its size, the others their range",
+            report,
+        )
+
     run = boxmorph("deform", "--prompt", "a low zzgribble table", "--object", "Plain Chair")
     expected = Path(f"{outside}/chair-a-low-zzgribble-table.blend")
     counts.check(
@@ -131,6 +146,8 @@ def check_failed(inside, boxmorph, counts):
         ("10,000 characters", (*good, "--prompt", "chair " * 1700), "characters"),
         ("an output in no folder", (*good, "--output", f"{inside}/none/o.blend"), "cannot be written"),
         ("an output that is a folder", (*good, "--output", inside), "cannot be written"),
+        ("no such part", (*good, "--lock", "Wing"), "has no part named “Wing”"),
+        ("an impossible range", (*good, "--scales", "2:3"), "the range of scale factors is 2 to 3"),
         ("a report in no folder", (*good, "--report", f"{inside}/none/r.json"), "cannot be written"),
     ]
     for what, arguments, expected in cases:
@@ -157,6 +174,7 @@ def check_usage(boxmorph, counts):
         ("deform", "--prompt", "a stool", "--splits", "9"),
         ("deform", "--prompt", "a stool", "--keyframes", "60"),
         ("deform", "--prompt", "a stool", "--seed", "-1"),
+        ("deform", "--prompt", "a stool", "--scales", "3"),
     ):
         run = boxmorph(*arguments)
         counts.check(run.returncode == 2, f"usage “{' '.join(arguments)}”: exit code 2", run.stderr)

@@ -134,14 +134,26 @@ def session(screen, shots):
     report(0.4 < value < 0.6, "half-way, the slider is half-way", value)
     screen.shot(shots("5-keyframed"))
 
-    screen.click(keyframe[0], keyframe[1] + 30)
-    views = find(screen, rectangle, "bpy.ops.boxmorph.show_views(", start=keyframe[1] - rectangle[1] + 30)
+    parts_header, views_header = keyframe[1] + 30, keyframe[1] + 57
+    screen.click(keyframe[0], parts_header)
+    parts = find(screen, rectangle, "bpy.ops.boxmorph.find_parts(", start=parts_header - rectangle[1])
+    screen.click(*parts)
+    count = f"len(bpy.data.objects['{OBJECT}'].boxmorph.items)"
+    report(screen.wait(lambda: screen.ask(count), 30, "the parts") > 1, "a click finds the parts")
+    screen.ask(f"setattr(bpy.data.objects['{OBJECT}'].boxmorph.items[0], 'lock', (True, True, True))")
+    screen.move(*middle)
+    time.sleep(1.0)
+    screen.shot(shots("6-parts"))
+    screen.click(keyframe[0], parts_header)
+
+    screen.click(keyframe[0], views_header)
+    views = find(screen, rectangle, "bpy.ops.boxmorph.show_views(", start=views_header - rectangle[1])
     screen.click(*views)
     screen.wait(lambda: screen.ask("'Boxmorph Views' in bpy.data.images"), 30, "the views")
     report(True, "a click shows the views")
     screen.move(*middle)
     time.sleep(1.0)
-    screen.shot(shots("6-views"))
+    screen.shot(shots("7-views"))
 
 
 def interruptions(screen):

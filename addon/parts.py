@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The parts of an object: found on request, kept with the object, and locked by the user.
+
+A part is one parameter row of the BoxDefGraph: a box, or two that mirror each other and scale alike. What is
+found is kept in `Object.boxmorph`, so that locks survive saving and undo.
+"""
+
+import colorsys
+import json
+
+import bpy
+import numpy as np
+from bpy.props import (
+    BoolVectorProperty,
+    CollectionProperty,
+    FloatVectorProperty,
+    IntProperty,
+    PointerProperty,
+    StringProperty,
+)
+
+from . import engine, mesh_io
+from .errors import Refusal
+
+#: Splits where the user leaves their number to us.
+AUTOMATIC_SPLITS = 4
+
+#: A box is off the middle, and named for its side, beyond this share of half the object's size.
+_OFF_CENTER = 0.25
+
+#: Parts found again may differ from what was kept by this share of the object's size.
+_SAME = 1e-4
+
+
+class BoxmorphPart(bpy.types.PropertyGroup):
+    """One part; its index is its parameter row. `name` is the group's own."""
+
+    lock: BoolVectorProperty(
+        name="Lock",
+        description="Keep the part's size along this axis of the object",
+        size=3,
+        subtype="XYZ",
+    )
+    color: FloatVectorProperty(
+        name="Color", description="Color of the part's boxes", size=3, subtype="COLOR_GAMMA", min=0.0, max=1.0
+    )
+
+
+class BoxmorphParts(bpy.types.PropertyGroup):
+    """The parts of an object."""
+
+    items: CollectionProperty(type=BoxmorphPart)
+    active: IntProperty(name="Part", default=0)
+    splits: IntProperty()
+    symmetry: StringProperty()
+    #: JSON: boxes [center, half size, part] in the object's own coordinates, tree edges [parent, child].
+    geometry: StringProperty()
+
+
+class Found:
+    """The parts that the library finds in a mesh."""
+
+    def __init__(self, mesh, splits, symmetry):
+        boxmorph = engine.library()
+        self.splits = AUTOMATIC_SPLITS if splits == "auto" else int(splits)
+        self.symmetry = symmetry
+        try:
+            self.graph = boxmorph.BoxDefGraph.build(mesh, splits=self.splits, symmetry=symmetry)
+        except ValueError as error:
+            raise Refusal(engine.sentence(error)) from error
+
+    def geometry(self, scale):
+        """Return the boxes and the tree as plain lists; coordinates are divided by `scale`."""
+        graph = self.graph
+        boxes = zip(
+            graph.box_center / scale, graph.box_half_size / scale, graph.parameter_row_of_box, strict=True
+        )
+        return {
+            "boxes": [[center.tolist(), half.tolist(), int(row)] for center, half, row in boxes],
+            "tree": graph.tree_edges.tolist(),
+        }
+
+
+def find(obj, context, splits, symmetry):
+    """Find the parts of `obj` and keep them with it; locks stay where as many parts are found again."""
+    mesh_io.deformable(obj)
+    arrays = mesh_io.object_arrays(obj, context)
+    found = Found(engine.library().Mesh(arrays.vertices, arrays.triangles), splits, symmetry)
+    geometry = found.geometry(arrays.scale)
+    kept = obj.boxmorph
+    count = found.graph.parameter_rows
+    locks = [tuple(part.lock) for part in kept.items] if len(kept.items) == count else [(False,) * 3] * count
+    kept.items.clear()
+    for row, (name, lock) in enumerate(zip(part_names(geometry["boxes"], count), locks, strict=True)):
+        part = kept.items.add()
+        part.name, part.lock = name, lock
+        part.color = colorsys.hsv_to_rgb((0.58 + row * 0.618034) % 1.0, 0.65, 0.95)
+    kept.active = min(kept.active, count - 1)
+    kept.splits, kept.symmetry = found.splits, symmetry
+    kept.geometry = json.dumps(geometry)
+    _redraw(context)
+
+
+def forget(obj):
+    """Forget the parts of `obj` and their locks."""
+    obj.boxmorph.items.clear()
+    obj.boxmorph.geometry = ""
+
+
+def geometry(obj):
+    """Return the kept boxes and tree of `obj`, or None."""
+    if not obj.boxmorph.items or not obj.boxmorph.geometry:
+        return None
+    return json.loads(obj.boxmorph.geometry)
+
+
+def locks(obj):
+    """Return which part keeps its size on which axis, (P,3) bool; None where nothing is locked."""
+    locked = np.array([tuple(part.lock) for part in obj.boxmorph.items], bool).reshape(-1, 3)
+    return locked if locked.any() else None
+
+
+def kept_graph(obj, mesh, scale):
+    """Return the graph of the parts kept with `obj`. Raises Refusal if `mesh` has other parts now."""
+    kept = obj.boxmorph
+    found = Found(mesh, kept.splits, kept.symmetry)
+    now, then = found.geometry(scale)["boxes"], geometry(obj)["boxes"]
+    if len(now) == len(then):
+        now, then = (np.array([center + half for center, half, _row in boxes]) for boxes in (now, then))
+        if np.abs(now - then).max() <= _SAME * np.abs(then).max():
+            return found.graph
+    raise Refusal(
+        f"“{obj.name}” has changed since its parts were found, and some are locked. "
+        "Find its parts again and check the locks"
+    )
+
+
+def part_names(boxes, count):
+    """Return a name for each of `count` parts, from where its boxes lie: “Bottom Front Sides”."""
+    centers = np.array([center for center, _half, _row in boxes])
+    halves = np.array([half for _center, half, _row in boxes])
+    rows = np.array([row for _center, _half, row in boxes])
+    low, high = (centers - halves).min(0), (centers + halves).max(0)
+    middle, reach = (low + high) / 2, np.maximum((high - low) / 2, 1e-12)
+    if count == 1:
+        return ["Whole"]
+    names = []
+    for row in range(count):
+        own = np.flatnonzero(rows == row)
+        x, y, z = (centers[own[0]] - middle) / reach
+        words = []
+        if halves[own[0]][2] < 0.7 * reach[2]:
+            words.append("Top" if z > _OFF_CENTER else "Bottom" if z < -_OFF_CENTER else "Middle")
+        pair = np.ptp(centers[own], axis=0)
+        if pair[1] <= 1e-6 and abs(y) > _OFF_CENTER:
+            words.append("Back" if y > 0 else "Front")
+        if pair[0] > 1e-6:
+            words.append("Sides")
+        elif pair[1] > 1e-6:
+            words.append("Ends")
+        elif abs(x) > _OFF_CENTER:
+            words.append("Right" if x > 0 else "Left")
+        names.append(" ".join(words) or "Body")
+    return [
+        name if names.count(name) == 1 else f"{name} {names[: i + 1].count(name)}"
+        for i, name in enumerate(names)
+    ]
+
+
+def _redraw(context):
+    """Have the 3D viewports drawn again: what changed is no data that they show by themselves."""
+    for window in context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == "VIEW_3D":
+                area.tag_redraw()
+
+
+class BOXMORPH_OT_find_parts(bpy.types.Operator):
+    """Split the active object into parts, to see them and to lock what must not change"""
+
+    bl_idname = "boxmorph.find_parts"
+    bl_label = "Find Parts"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        settings = context.scene.boxmorph
+        try:
+            find(context.active_object, context, settings.splits, settings.symmetry)
+        except Refusal as refusal:
+            self.report({"ERROR"}, str(refusal))
+            return {"CANCELLED"}
+        settings.show_parts = True
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_forget_parts(bpy.types.Operator):
+    """Forget the parts of the active object and their locks: the search splits it as it likes"""
+
+    bl_idname = "boxmorph.forget_parts"
+    bl_label = "Forget Parts"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        forget(context.active_object)
+        _redraw(context)
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_lock_part(bpy.types.Operator):
+    """Lock the part as it is, or unlock it again"""
+
+    bl_idname = "boxmorph.lock_part"
+    bl_label = "Lock Part"
+    bl_options = {"REGISTER", "UNDO"}
+
+    index: IntProperty(options={"HIDDEN"})
+
+    def execute(self, context):
+        part = context.active_object.boxmorph.items[self.index]
+        part.lock = (not all(part.lock),) * 3
+        return {"FINISHED"}
+
+
+class BOXMORPH_UL_parts(bpy.types.UIList):
+    """One line a part: color, name, locks of its axes, lock of the whole."""
+
+    def draw_item(self, _context, layout, _data, item, _icon, _active_data, _property, index=0):
+        row = layout.row(align=True)
+        color = row.row()
+        color.scale_x = 0.35
+        color.prop(item, "color", text="")
+        row.prop(item, "name", text="", emboss=False)
+        axes = row.row(align=True)
+        axes.scale_x = 0.3
+        for axis in range(3):
+            axes.prop(item, "lock", index=axis, text="XYZ"[axis], toggle=True)
+        icon = "LOCKED" if all(item.lock) else "UNLOCKED"
+        row.operator("boxmorph.lock_part", text="", icon=icon, emboss=False).index = index
+
+
+classes = (
+    BoxmorphPart,
+    BoxmorphParts,
+    BOXMORPH_OT_find_parts,
+    BOXMORPH_OT_forget_parts,
+    BOXMORPH_OT_lock_part,
+    BOXMORPH_UL_parts,
+)
+
+
+def register_object():
+    """Attach the parts to every object."""
+    bpy.types.Object.boxmorph = PointerProperty(type=BoxmorphParts)
+
+
+def unregister_object():
+    """Take the parts off the objects again."""
+    del bpy.types.Object.boxmorph

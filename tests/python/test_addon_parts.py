@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
+"""Parts in Blender: found, named, locked, and kept with the object."""
+
+import json
+
+import addon_blender as blender
+import numpy as np
+import pytest
+from addon_blender import bpy
+
+PROMPT = "a bar stool"
+
+
+@pytest.fixture(autouse=True)
+def _scene():
+    blender.empty_scene()
+
+
+@pytest.fixture
+def chair():
+    obj = blender.chair()
+    bpy.ops.boxmorph.find_parts()
+    return obj
+
+
+def names(obj):
+    return [part.name for part in obj.boxmorph.items]
+
+
+def record(obj):
+    return json.loads(obj.data.shape_keys["boxmorph"])[PROMPT]
+
+
+def test_parts_are_named_for_where_they_are(chair):
+    assert len(names(chair)) > 2 and len(set(names(chair))) == len(names(chair))
+    assert any(name.startswith("Top") and "Back" in name for name in names(chair)), names(chair)
+    assert any(name.startswith("Bottom") and "Sides" in name for name in names(chair)), names(chair)
+
+
+def test_boxes_lie_around_the_object_and_hang_together(chair):
+    geometry = blender.addon("parts").geometry(chair)
+    rest = blender.evaluated_positions(chair)
+    centers, halves = (np.array([box[i] for box in geometry["boxes"]]) for i in (0, 1))
+    assert np.allclose((centers - halves).min(0), rest.min(0), atol=1e-4)
+    assert np.allclose((centers + halves).max(0), rest.max(0), atol=1e-4)
+    assert len(geometry["tree"]) == len(geometry["boxes"]) - 1
+
+
+def test_a_locked_part_keeps_its_scale(chair):
+    chair.boxmorph.items[1].lock = (True, True, True)
+    blender.deform(PROMPT)
+    report = record(chair)
+    assert report["locked"][1] == [True] * 3 and report["scales"][1] == [1.0] * 3
+    assert report["gauge_scale"] == 1.0
+    assert np.ptp(report["scales"]) > 0.1
+
+
+def test_parts_without_locks_leave_the_search_free(chair):
+    blender.deform(PROMPT)
+    with_parts = blender.positions(chair.data.shape_keys.key_blocks[PROMPT])
+    blender.empty_scene()
+    other = blender.chair()
+    blender.deform(PROMPT)
+    assert np.array_equal(with_parts, blender.positions(other.data.shape_keys.key_blocks[PROMPT]))
+
+
+def test_parts_follow_the_settings(chair):
+    count = len(names(chair))
+    bpy.context.scene.boxmorph.splits = "1"
+    assert len(names(chair)) < count
+    bpy.context.scene.boxmorph.symmetry = "none"
+    assert chair.boxmorph.symmetry == "none"
+
+
+def test_locks_are_kept_when_the_same_parts_are_found_again(chair):
+    chair.boxmorph.items[0].lock = (False, True, False)
+    bpy.ops.boxmorph.find_parts()
+    assert tuple(chair.boxmorph.items[0].lock) == (False, True, False)
+
+
+def test_locks_of_a_changed_object_are_refused_in_a_sentence(chair):
+    bpy.ops.boxmorph.lock_part(index=0)
+    assert tuple(chair.boxmorph.items[0].lock) == (True, True, True)
+    for vertex in chair.data.vertices:
+        vertex.co.z *= 2.0
+    with pytest.raises(RuntimeError, match="has changed since its parts were found"):
+        blender.deform(PROMPT)
+    assert chair.data.shape_keys is None
+    bpy.ops.boxmorph.find_parts()
+    blender.deform(PROMPT)
+
+
+def test_everything_locked_is_refused_in_a_sentence(chair):
+    for part in chair.boxmorph.items:
+        part.lock = (True, True, True)
+    with pytest.raises(RuntimeError, match="every axis of every part is locked"):
+        blender.deform(PROMPT)
+
+
+def test_forgotten_parts_lock_nothing(chair):
+    bpy.ops.boxmorph.lock_part(index=0)
+    bpy.ops.boxmorph.forget_parts()
+    blender.deform(PROMPT)
+    assert record(chair)["locked"] is None
+
+
+def test_parts_and_locks_survive_saving(chair, tmp_path):
+    bpy.ops.boxmorph.lock_part(index=1)
+    expected = names(chair)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "chair.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "chair.blend"))
+    obj = bpy.context.active_object
+    assert names(obj) == expected and tuple(obj.boxmorph.items[1].lock) == (True, True, True)
+
+
+def test_scales_stay_in_the_range_of_the_panel():
+    obj = blender.chair()
+    settings = bpy.context.scene.boxmorph
+    settings.least_scale, settings.greatest_scale, settings.keep_size = 0.9, 1.2, "height"
+    rest = np.ptp(blender.evaluated_positions(obj)[:, 2])
+    blender.deform(PROMPT)
+    scales = np.array(record(obj)["scales"])
+    assert scales.min() >= 0.9 - 1e-6 and scales.max() <= 1.2 + 1e-6
+    key = blender.positions(obj.data.shape_keys.key_blocks[PROMPT])
+    assert np.isclose(np.ptp(key[:, 2]), rest, rtol=1e-4)
