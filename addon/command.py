@@ -57,6 +57,7 @@ def _add_parts(commands):
     command.add_argument("--object", metavar="NAME", help="the object (default: the active one)")
     command.add_argument("--splits", choices=[item[0] for item in SPLITS], default="auto")
     command.add_argument("--symmetry", choices=[item[0] for item in SYMMETRY], default="auto")
+    command.add_argument("--boxes", metavar="COLLECTION", help="as in deform")
     command.set_defaults(run=_parts)
 
 
@@ -81,6 +82,7 @@ def _add_deform(commands):
         metavar="PART[:AXES]",
         help="keep the size of a part, such as “Top” or “Top:xy”; may be given more than once (see parts)",
     )
+    deform.add_argument("--boxes", metavar="COLLECTION", help="take the parts from cubes in this collection")
     deform.add_argument("--keep-size", choices=[item[0] for item in KEEP_SIZE], default="auto")
     deform.add_argument(
         "--scales",
@@ -120,8 +122,8 @@ def _deform(options):
         if path is not None:
             _require_writable(path)
 
-    if options.lock:
-        parts.find(obj, bpy.context, options.splits, options.symmetry)
+    if options.lock or options.boxes:
+        parts.find(obj, bpy.context, options.splits, options.symmetry, _collection(options.boxes))
         _lock(obj, options.lock)
     search = Search(
         bpy.context,
@@ -161,13 +163,20 @@ def _deform(options):
 def _parts(options):
     _opened_file()
     obj = _object(options.object)
-    parts.find(obj, bpy.context, options.splits, options.symmetry)
+    parts.find(obj, bpy.context, options.splits, options.symmetry, _collection(options.boxes))
     boxes = parts.geometry(obj)["boxes"]
     for row, part in enumerate(obj.boxmorph.items):
         own = [2 * np.array(half) for _center, half, r in boxes if r == row]
         size = " × ".join(f"{extent:.3g}" for extent in own[0])
         print(f"{part.name}: {size}" + (" (two)" if len(own) == 2 else ""))
     return DONE
+
+
+def _collection(name):
+    """Return the collection of this name; None for None. Raises Refusal where there is none."""
+    if name is not None and name not in bpy.data.collections:
+        raise Refusal(f"There is no collection named “{name}”")
+    return name and bpy.data.collections[name]
 
 
 def _lock(obj, wanted):

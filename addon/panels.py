@@ -94,6 +94,7 @@ class BOXMORPH_PT_parts(_Sidebar, bpy.types.Panel):
         layout = self.layout
         settings = context.scene.boxmorph
         kept = context.active_object.boxmorph
+        layout.prop(settings, "parts_collection")
         row = layout.row(align=True)
         row.operator(
             "boxmorph.find_parts", icon="MESH_CUBE", text="Find Again" if kept.items else "Find Parts"

@@ -18,6 +18,7 @@ from bpy.props import (
     PointerProperty,
     StringProperty,
 )
+from mathutils import Vector
 
 from . import engine, mesh_io
 from .errors import Refusal
@@ -53,19 +54,24 @@ class BoxmorphParts(bpy.types.PropertyGroup):
     active: IntProperty(name="Part", default=0)
     splits: IntProperty()
     symmetry: StringProperty()
-    #: JSON: boxes [center, half size, part] in the object's own coordinates, tree edges [parent, child].
+    #: JSON: boxes [center, half size, part] in the object's own coordinates, tree edges [parent, child], and
+    #: the user's boxes, if any, as they were given.
     geometry: StringProperty()
 
 
 class Found:
-    """The parts that the library finds in a mesh."""
+    """The parts of a mesh: those of the user's boxes `given`, (b,2,3), where there are any, else our own."""
 
-    def __init__(self, mesh, splits, symmetry):
-        boxmorph = engine.library()
+    def __init__(self, mesh, splits, symmetry, given=None):
+        graph = engine.library().BoxDefGraph
         self.splits = AUTOMATIC_SPLITS if splits == "auto" else int(splits)
-        self.symmetry = symmetry
+        self.given = None if given is None else np.float32(given)
         try:
-            self.graph = boxmorph.BoxDefGraph.build(mesh, splits=self.splits, symmetry=symmetry)
+            if self.given is None:
+                self.graph = graph.build(mesh, splits=self.splits, symmetry=symmetry)
+            else:
+                center, half = (np.ascontiguousarray(self.given[:, i]) for i in (0, 1))
+                self.graph = graph.from_boxes(mesh, center, half, symmetry=symmetry)
         except ValueError as error:
             raise Refusal(engine.sentence(error)) from error
 
@@ -78,14 +84,19 @@ class Found:
         return {
             "boxes": [[center.tolist(), half.tolist(), int(row)] for center, half, row in boxes],
             "tree": graph.tree_edges.tolist(),
+            "given": None if self.given is None else self.given.tolist(),
         }
 
 
-def find(obj, context, splits, symmetry):
-    """Find the parts of `obj` and keep them with it; locks stay where as many parts are found again."""
+def find(obj, context, splits, symmetry, boxes=None):
+    """Find the parts of `obj` and keep them with it; locks stay where as many parts are found again.
+
+    `boxes`: a collection of mesh objects whose bounding boxes are the parts.
+    """
     mesh_io.deformable(obj)
     arrays = mesh_io.object_arrays(obj, context)
-    found = Found(engine.library().Mesh(arrays.vertices, arrays.triangles), splits, symmetry)
+    given = None if boxes is None else given_boxes(obj, boxes, arrays.scale)
+    found = Found(engine.library().Mesh(arrays.vertices, arrays.triangles), splits, symmetry, given)
     geometry = found.geometry(arrays.scale)
     kept = obj.boxmorph
     count = found.graph.parameter_rows
@@ -99,6 +110,23 @@ def find(obj, context, splits, symmetry):
     kept.splits, kept.symmetry = found.splits, symmetry
     kept.geometry = json.dumps(geometry)
     _redraw(context)
+
+
+def given_boxes(obj, collection, scale):
+    """Return center and half size of each box of a collection, (b,2,3), along the axes of `obj`."""
+    boxes = []
+    for box in collection.all_objects:
+        if box.type == "MESH" and box != obj:
+            place = obj.matrix_world.inverted() @ box.matrix_world
+            corners = np.array([place @ Vector(corner) for corner in box.bound_box], np.float32) * scale
+            low, high = corners.min(0), corners.max(0)
+            boxes.append(((low + high) / 2, (high - low) / 2))
+    if not boxes:
+        raise Refusal(
+            f"The collection “{collection.name}” holds no boxes. Put cubes around the parts of “{obj.name}” "
+            "into it, or clear the field"
+        )
+    return np.array(boxes)
 
 
 def forget(obj):
@@ -120,18 +148,24 @@ def locks(obj):
     return locked if locked.any() else None
 
 
+def are_chosen(obj):
+    """Whether the user locked parts of `obj` or gave its boxes, so that a search must keep to these parts."""
+    return locks(obj) is not None or bool((geometry(obj) or {}).get("given"))
+
+
 def kept_graph(obj, mesh, scale):
     """Return the graph of the parts kept with `obj`. Raises Refusal if `mesh` has other parts now."""
     kept = obj.boxmorph
-    found = Found(mesh, kept.splits, kept.symmetry)
-    now, then = found.geometry(scale)["boxes"], geometry(obj)["boxes"]
+    then = geometry(obj)
+    found = Found(mesh, kept.splits, kept.symmetry, then["given"])
+    now, then = found.geometry(scale)["boxes"], then["boxes"]
     if len(now) == len(then):
         now, then = (np.array([center + half for center, half, _row in boxes]) for boxes in (now, then))
         if np.abs(now - then).max() <= _SAME * np.abs(then).max():
             return found.graph
     raise Refusal(
-        f"“{obj.name}” has changed since its parts were found, and some are locked. "
-        "Find its parts again and check the locks"
+        f"“{obj.name}” has changed since its parts were found. "
+        "Find them again and check the locks, or forget them"
     )
 
 
@@ -185,7 +219,9 @@ class BOXMORPH_OT_find_parts(bpy.types.Operator):
     def execute(self, context):
         settings = context.scene.boxmorph
         try:
-            find(context.active_object, context, settings.splits, settings.symmetry)
+            find(
+                context.active_object, context, settings.splits, settings.symmetry, settings.parts_collection
+            )
         except Refusal as refusal:
             self.report({"ERROR"}, str(refusal))
             return {"CANCELLED"}

@@ -69,7 +69,7 @@ def _find_again(settings, context):
     if obj is None or not obj.boxmorph.items:
         return
     with suppress(Refusal):
-        parts.find(obj, context, settings.splits, settings.symmetry)
+        parts.find(obj, context, settings.splits, settings.symmetry, settings.parts_collection)
 
 
 class SearchProperties:
@@ -116,6 +116,13 @@ class BoxmorphSettings(SearchProperties, bpy.types.PropertyGroup):
 
     splits: _splits(update=_find_again)
     symmetry: _symmetry(update=_find_again)
+    parts_collection: PointerProperty(
+        name="Boxes",
+        description="A collection of cubes that stand around the parts, to be used as they are; "
+        "empty: the parts are found",
+        type=bpy.types.Collection,
+        update=_find_again,
+    )
     show_parts: BoolProperty(
         name="Show Parts",
         description="Draw the parts of the active object as boxes, joined where they hang together",

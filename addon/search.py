@@ -51,12 +51,12 @@ class Search:
             options["points"] = self.arrays.points
         try:
             mesh = self._boxmorph.Mesh(self.arrays.vertices, self.arrays.triangles)
-            if self.locked is None:
-                options["splits"] = "auto" if splits == "auto" else int(splits)
-                options["symmetry"] = symmetry
-            else:
+            if parts.are_chosen(obj):
                 options["graph"] = parts.kept_graph(obj, mesh, self.arrays.scale)
                 options["locked"] = self.locked
+            else:
+                options["splits"] = "auto" if splits == "auto" else int(splits)
+                options["symmetry"] = symmetry
             self._job = self._boxmorph.Job(
                 mesh, self.prompt, guide=guide, preset=preset, seed=seed, **options
             )

@@ -289,6 +289,48 @@ fn the_field_at_other_points_is_symmetric_and_moves_with_the_parts() {
     }
 }
 
+#[test]
+fn given_boxes_are_paired_where_they_mirror_each_other() {
+    let mesh = chair(2).mesh();
+    let found = build(&mesh, 4);
+    let give = |center: &[Vec3], half: &[Vec3]| {
+        BoxDefGraph::from_boxes(&mesh, center, half, Symmetry::Auto, Boundary::Smooth).unwrap()
+    };
+    // In any order, and a little off.
+    let turned = |rows: &[Vec3], off: f32| rows.iter().rev().map(|&v| v + off).collect::<Vec<_>>();
+    let given = give(&turned(found.box_center(), 0.002), &turned(found.box_half_size(), 0.001));
+    assert_eq!((given.symmetry(), sides(&given)), (found.symmetry(), sides(&found)));
+    assert_eq!(given.parameter_rows(), found.parameter_rows());
+    let scales = some_scales(given.parameter_rows(), 8);
+    let moved = given.deform(&scales).unwrap();
+    for (i, p) in mesh.vertices().iter().enumerate() {
+        let image = mesh.vertices().iter().position(|q| *q == v(-p.x, p.y, p.z)).unwrap();
+        assert_eq!(moved[image], v(-moved[i].x, moved[i].y, moved[i].z));
+    }
+    // Without the last leg the rest is not symmetric, and the leg's vertices go to what is nearest.
+    let kept = found.box_center().len() - 1;
+    let lopsided = give(&found.box_center()[..kept], &found.box_half_size()[..kept]);
+    assert_eq!((lopsided.symmetry(), sides(&lopsided)), (Symmetry::None, [kept, 0, 0]));
+}
+
+#[test]
+fn given_boxes_are_checked_with_a_sentence_each() {
+    let mesh = plain_box();
+    let refused = |center: &[Vec3], half: &[Vec3]| {
+        BoxDefGraph::from_boxes(&mesh, center, half, Symmetry::Auto, Boundary::Smooth)
+            .unwrap_err()
+            .to_string()
+    };
+    assert!(refused(&[], &[]).contains("no boxes"));
+    assert!(refused(&[Vec3::ZERO], &[]).contains("box_half_size has 0 rows, but 1"));
+    assert!(refused(&[Vec3::NAN], &[Vec3::ONE]).contains("box_center has a number that is not finite"));
+    assert!(refused(&[Vec3::ZERO], &[-Vec3::ONE]).contains("below zero in row 0"));
+    // A box that is nowhere near still owns what is nearest to it: everything.
+    let far =
+        BoxDefGraph::from_boxes(&mesh, &[v(50.0, 0.0, 0.0)], &[Vec3::ONE], Symmetry::None, Boundary::Smooth);
+    assert_eq!(far.unwrap().parameter_rows(), 1);
+}
+
 fn two_boxes() -> (Mesh, Parts) {
     let mut m = Maker::default();
     m.cuboid(v(-1.0, -1.0, 0.0), v(1.0, 1.0, 1.0), 2).cuboid(v(-0.5, -0.5, 1.0), v(0.5, 0.5, 2.0), 2);

@@ -39,6 +39,16 @@ class BoxDefGraph:
         mesh: Mesh, splits: int = 3, symmetry: Symmetry = "auto", boundary: Boundary = "smooth"
     ) -> BoxDefGraph: ...
     @staticmethod
+    def from_boxes(
+        mesh: Mesh,
+        box_center: NDArray[np.float32],  # (b, 3)
+        box_half_size: NDArray[np.float32],  # (b, 3)
+        symmetry: Symmetry = "auto",
+        boundary: Boundary = "smooth",
+    ) -> BoxDefGraph:
+        """Boxes of one's own; they may overlap, and vertices outside of all go to the nearest."""
+
+    @staticmethod
     def from_parts(
         mesh: Mesh,
         box_center: NDArray[np.float32],  # (b, 3)

@@ -5,11 +5,12 @@ use glam::{DVec3, Vec3};
 
 use super::assign::assign;
 use super::boundary::Boundary;
-use super::boxes::{keep_owners, part_boxes};
+use super::boxes::{PartBox, keep_owners, part_boxes};
 use super::connect::connect;
 use super::error::BoxDefError;
 use super::field::DeformField;
 use super::frame::Frame;
+use super::given;
 use super::islands::{islands, places};
 use super::occupancy::Occupancy;
 use super::parts::Parts;
@@ -54,27 +55,54 @@ impl BoxDefGraph {
         if !(1..=8).contains(&splits) {
             return Err(BoxDefError::Splits(splits));
         }
-        let frame = Frame::of_surface(mesh);
-        let vertices = frame.vertices(mesh);
-        let places = places(&vertices);
-        let mut occupancy = Occupancy::of(mesh, frame, &vertices, &places);
-        let axis = symmetry::resolve(symmetry, &occupancy);
+        let mut ground = Ground::of(mesh);
+        let axis = symmetry::resolve(symmetry, &ground.occupancy);
         if let Some(axis) = axis {
-            occupancy.symmetrise(axis);
+            ground.occupancy.symmetrise(axis);
         }
-        let pieces = split(&mut occupancy, splits, axis);
-        let mirror = axis.map(|axis| MirrorMap::of(&vertices, axis));
-        let mut boxes = part_boxes(mesh, &vertices, &occupancy, &pieces, axis);
-        let islands = islands(mesh, &places);
+        let pieces = split(&mut ground.occupancy, splits, axis);
+        let boxes = part_boxes(mesh, &ground.vertices, &ground.occupancy, &pieces, axis);
+        Ok(Self::of_boxes(mesh, &ground, boxes, axis, boundary))
+    }
+
+    /// Takes boxes that a person gives, in object coordinates: `center` and `half_size` (b). Boxes may overlap and
+    /// need not hold every vertex: each goes to the nearest. Those that own no vertex are left out.
+    ///
+    /// The symmetry is kept only if each box is its own mirror image or that of another.
+    pub fn from_boxes(
+        mesh: &Mesh,
+        center: &[Vec3],
+        half_size: &[Vec3],
+        symmetry: Symmetry,
+        boundary: Boundary,
+    ) -> Result<Self, BoxDefError> {
+        given::check(center, half_size)?;
+        let ground = Ground::of(mesh);
+        let axis = symmetry::resolve(symmetry, &ground.occupancy);
+        let (boxes, axis) = given::given_boxes(center, half_size, ground.frame, &ground.occupancy, axis);
+        Ok(Self::of_boxes(mesh, &ground, boxes, axis, boundary))
+    }
+
+    /// Assigns vertices to boxes, joins the boxes, and computes the field.
+    fn of_boxes(
+        mesh: &Mesh,
+        ground: &Ground,
+        mut boxes: Vec<PartBox>,
+        axis: Option<usize>,
+        boundary: Boundary,
+    ) -> Self {
+        let Ground { frame, vertices, places, occupancy } = ground;
+        let mirror = axis.map(|axis| MirrorMap::of(vertices, axis));
+        let islands = islands(mesh, places);
         let owners = loop {
-            let owners = assign(mesh, &vertices, &islands, &occupancy, &boxes, mirror.as_ref());
+            let owners = assign(mesh, vertices, &islands, occupancy, &boxes, mirror.as_ref());
             let kept = keep_owners(&boxes, &owners);
             if kept.len() == boxes.len() {
                 break owners;
             }
             boxes = kept;
         };
-        let connections = connect(mesh, &occupancy, &boxes, &owners, axis);
+        let connections = connect(mesh, occupancy, &boxes, &owners, axis);
         let pair = |edge: [usize; 2]| edge.map(|b| b as i32);
         let parts = Parts {
             box_center: boxes.iter().map(|b| frame.to_object(b.center())).collect(),
@@ -88,7 +116,7 @@ impl BoxDefGraph {
         };
         let stages =
             connections.stages.into_iter().map(|stage| stage.into_iter().map(pair).collect()).collect();
-        Ok(Self::assemble(mesh, parts, frame, &vertices, axis, mirror.as_ref(), boundary, stages))
+        Self::assemble(mesh, parts, *frame, vertices, axis, mirror.as_ref(), boundary, stages)
     }
 
     #[expect(clippy::too_many_arguments, reason = "what both ways to a graph end in")]
@@ -109,6 +137,26 @@ impl BoxDefGraph {
         let basis = propagation.basis(parameter_rows);
         let field = DeformField::new(mesh.vertices().to_vec(), parameter_rows, basis);
         Self { parts, rows, parameter_rows, symmetry_axis, boundary, frame, field }
+    }
+}
+
+/// A mesh as its parts are found in it.
+struct Ground {
+    frame: Frame,
+    /// Vertices in the frame.
+    vertices: Vec<DVec3>,
+    /// The first vertex in the place of each.
+    places: Vec<u32>,
+    occupancy: Occupancy,
+}
+
+impl Ground {
+    fn of(mesh: &Mesh) -> Self {
+        let frame = Frame::of_surface(mesh);
+        let vertices = frame.vertices(mesh);
+        let places = places(&vertices);
+        let occupancy = Occupancy::of(mesh, frame, &vertices, &places);
+        Self { frame, vertices, places, occupancy }
     }
 }
 

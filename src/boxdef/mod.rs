@@ -8,6 +8,7 @@ mod connect;
 mod error;
 mod field;
 mod frame;
+mod given;
 mod graph;
 mod islands;
 mod nearest;

@@ -71,6 +71,24 @@ impl PyBoxDefGraph {
     }
 
     #[staticmethod]
+    #[pyo3(signature = (mesh, box_center, box_half_size, symmetry="auto", boundary="smooth"))]
+    fn from_boxes(
+        py: Python<'_>,
+        mesh: &PyMesh,
+        box_center: &Bound<'_, PyAny>,
+        box_half_size: &Bound<'_, PyAny>,
+        symmetry: &str,
+        boundary: &str,
+    ) -> PyResult<Self> {
+        let center = arrays::vectors(box_center, "box_center")?;
+        let half_size = arrays::vectors(box_half_size, "box_half_size")?;
+        let symmetry = self::symmetry(symmetry)?;
+        let boundary = boundary.parse().map_err(IntoPyErr::into_py_err)?;
+        let graph = py.detach(|| BoxDefGraph::from_boxes(&mesh.0, &center, &half_size, symmetry, boundary));
+        Ok(Self(Arc::new(graph.map_err(IntoPyErr::into_py_err)?)))
+    }
+
+    #[staticmethod]
     #[pyo3(signature = (mesh, box_center, box_half_size, box_side, assignment, tree_edges, tree_parent_point,
                         tree_child_point, edges, boundary="paper"))]
     #[expect(clippy::too_many_arguments, reason = "the arrays of the reference data, by their names")]

@@ -147,6 +147,7 @@ def check_failed(inside, boxmorph, counts):
         ("an output in no folder", (*good, "--output", f"{inside}/none/o.blend"), "cannot be written"),
         ("an output that is a folder", (*good, "--output", inside), "cannot be written"),
         ("no such part", (*good, "--lock", "Wing"), "has no part named “Wing”"),
+        ("no such collection", (*good, "--boxes", "None"), "no collection named “None”"),
         ("an impossible range", (*good, "--scales", "2:3"), "the range of scale factors is 2 to 3"),
         ("a report in no folder", (*good, "--report", f"{inside}/none/r.json"), "cannot be written"),
     ]

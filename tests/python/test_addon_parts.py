@@ -113,6 +113,39 @@ def test_parts_and_locks_survive_saving(chair, tmp_path):
     assert names(obj) == expected and tuple(obj.boxmorph.items[1].lock) == (True, True, True)
 
 
+def cube(collection, low, high):
+    low, high = np.array(low), np.array(high)
+    corners = [[(low, high)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)]
+    box = blender.add("Box", corners, [(0, 1, 3, 2), (4, 5, 7, 6)])
+    for user in box.users_collection:
+        user.objects.unlink(box)
+    collection.objects.link(box)
+
+
+def test_boxes_of_ones_own_are_the_parts():
+    obj = blender.chair()
+    rest = blender.evaluated_positions(obj)
+    low, high = rest.min(0), rest.max(0)
+    collection = bpy.data.collections.new("Boxes")
+    bpy.context.scene.collection.children.link(collection)
+    settings = bpy.context.scene.boxmorph
+    settings.parts_collection = collection
+    with pytest.raises(RuntimeError, match="holds no boxes"):
+        bpy.ops.boxmorph.find_parts()
+    middle = (low[2] + high[2]) / 2
+    cube(collection, low, [high[0], high[1], middle])
+    cube(collection, [low[0], low[1], middle], high)
+    bpy.context.view_layer.update()
+    blender.activate(obj)
+    bpy.ops.boxmorph.find_parts()
+    assert names(obj) == ["Bottom", "Top"]
+    blender.deform(PROMPT)
+    assert record(obj)["boxes"] == 2 and record(obj)["locked"] is None
+    bpy.ops.boxmorph.lock_part(index=0)
+    blender.deform(PROMPT)
+    assert record(obj)["scales"][0] == [1.0] * 3 and record(obj)["boxes"] == 2
+
+
 def test_scales_stay_in_the_range_of_the_panel():
     obj = blender.chair()
     settings = bpy.context.scene.boxmorph
