@@ -6,9 +6,16 @@ The work is done by the Rust module `boxmorph`, which is imported at first use a
 
 import bpy
 
-from . import command, operators, panels, parts, parts_view, preferences, properties
+from . import command, operators, panels, parts, parts_operators, parts_view, preferences, properties
 
-_classes = preferences.classes + parts.classes + properties.classes + operators.classes + panels.classes
+_classes = (
+    preferences.classes
+    + parts.classes
+    + properties.classes
+    + operators.classes
+    + parts_operators.classes
+    + panels.classes
+)
 _commands = []
 
 

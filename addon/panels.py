@@ -104,6 +104,10 @@ class BOXMORPH_PT_parts(_Sidebar, bpy.types.Panel):
         row.prop(settings, "show_parts", text="", icon="HIDE_OFF" if settings.show_parts else "HIDE_ON")
         row.operator("boxmorph.forget_parts", text="", icon="X")
         layout.template_list("BOXMORPH_UL_parts", "", kept, "items", kept, "active", rows=3)
+        if kept.coarse:
+            faces = "face spans" if kept.coarse == 1 else "faces span"
+            layout.label(text=f"{kept.coarse} long {faces} parts", icon="INFO")
+            layout.operator("boxmorph.refine", icon="MOD_BEVEL")
 
 
 class BOXMORPH_PT_views(_Sidebar, bpy.types.Panel):

@@ -29,6 +29,10 @@ AUTOMATIC_SPLITS = 4
 #: A box is off the middle, and named for its side, beyond this share of half the object's size.
 _OFF_CENTER = 0.25
 
+#: A triangle of two parts is coarse if a corner is farther from one of them than this share of half the
+#: object's diagonal.
+_COARSE = 0.1
+
 #: Parts found again may differ from what was kept by this share of the object's size.
 _SAME = 1e-4
 
@@ -54,6 +58,8 @@ class BoxmorphParts(bpy.types.PropertyGroup):
     active: IntProperty(name="Part", default=0)
     splits: IntProperty()
     symmetry: StringProperty()
+    #: Triangles that span parts and are too long to be bent gently.
+    coarse: IntProperty()
     #: JSON: boxes [center, half size, part] in the object's own coordinates, tree edges [parent, child], and
     #: the user's boxes, if any, as they were given.
     geometry: StringProperty()
@@ -108,8 +114,9 @@ def find(obj, context, splits, symmetry, boxes=None):
         part.color = colorsys.hsv_to_rgb((0.58 + row * 0.618034) % 1.0, 0.65, 0.95)
     kept.active = min(kept.active, count - 1)
     kept.splits, kept.symmetry = found.splits, symmetry
+    kept.coarse = coarse_faces(arrays.vertices, arrays.triangles, found.graph)
     kept.geometry = json.dumps(geometry)
-    _redraw(context)
+    redraw(context)
 
 
 def given_boxes(obj, collection, scale):
@@ -201,7 +208,25 @@ def part_names(boxes, count):
     ]
 
 
-def _redraw(context):
+def coarse_faces(vertices, triangles, graph):
+    """Return how many triangles, (m,3), of two parts reach too far from one into the other to bend gently."""
+    owners = graph.assignment[triangles]
+    spanning = (owners != owners[:, :1]).any(axis=1)
+    corners, owners = vertices[triangles[spanning]], owners[spanning]
+    farthest = np.zeros(len(corners), np.float32)
+    for other in range(3):
+        center, half = (box[owners[:, None, other]] for box in (graph.box_center, graph.box_half_size))
+        away = np.linalg.norm(np.maximum(np.abs(corners - center) - half, 0.0), axis=2).max(axis=1)
+        farthest = np.maximum(farthest, away)
+    return int((farthest > _COARSE * reach(vertices)).sum())
+
+
+def reach(positions):
+    """Return half the diagonal of the bounding box of positions (n,3)."""
+    return float(np.linalg.norm(np.ptp(positions, axis=0))) / 2 if len(positions) else 0.0
+
+
+def redraw(context):
     """Have the 3D viewports drawn again: what changed is no data that they show by themselves."""
     for window in context.window_manager.windows:
         for area in window.screen.areas:
@@ -209,79 +234,7 @@ def _redraw(context):
                 area.tag_redraw()
 
 
-class BOXMORPH_OT_find_parts(bpy.types.Operator):
-    """Split the active object into parts, to see them and to lock what must not change"""
-
-    bl_idname = "boxmorph.find_parts"
-    bl_label = "Find Parts"
-    bl_options = {"REGISTER", "UNDO"}
-
-    def execute(self, context):
-        settings = context.scene.boxmorph
-        try:
-            find(
-                context.active_object, context, settings.splits, settings.symmetry, settings.parts_collection
-            )
-        except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
-        settings.show_parts = True
-        return {"FINISHED"}
-
-
-class BOXMORPH_OT_forget_parts(bpy.types.Operator):
-    """Forget the parts of the active object and their locks: the search splits it as it likes"""
-
-    bl_idname = "boxmorph.forget_parts"
-    bl_label = "Forget Parts"
-    bl_options = {"REGISTER", "UNDO"}
-
-    def execute(self, context):
-        forget(context.active_object)
-        _redraw(context)
-        return {"FINISHED"}
-
-
-class BOXMORPH_OT_lock_part(bpy.types.Operator):
-    """Lock the part as it is, or unlock it again"""
-
-    bl_idname = "boxmorph.lock_part"
-    bl_label = "Lock Part"
-    bl_options = {"REGISTER", "UNDO"}
-
-    index: IntProperty(options={"HIDDEN"})
-
-    def execute(self, context):
-        part = context.active_object.boxmorph.items[self.index]
-        part.lock = (not all(part.lock),) * 3
-        return {"FINISHED"}
-
-
-class BOXMORPH_UL_parts(bpy.types.UIList):
-    """One line a part: color, name, locks of its axes, lock of the whole."""
-
-    def draw_item(self, _context, layout, _data, item, _icon, _active_data, _property, index=0):
-        row = layout.row(align=True)
-        color = row.row()
-        color.scale_x = 0.35
-        color.prop(item, "color", text="")
-        row.prop(item, "name", text="", emboss=False)
-        axes = row.row(align=True)
-        axes.scale_x = 0.3
-        for axis in range(3):
-            axes.prop(item, "lock", index=axis, text="XYZ"[axis], toggle=True)
-        icon = "LOCKED" if all(item.lock) else "UNLOCKED"
-        row.operator("boxmorph.lock_part", text="", icon=icon, emboss=False).index = index
-
-
-classes = (
-    BoxmorphPart,
-    BoxmorphParts,
-    BOXMORPH_OT_find_parts,
-    BOXMORPH_OT_forget_parts,
-    BOXMORPH_OT_lock_part,
-    BOXMORPH_UL_parts,
-)
+classes = (BoxmorphPart, BoxmorphParts)
 
 
 def register_object():

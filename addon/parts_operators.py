@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Operators on the parts of the active object, and their list in the panel."""
+
+import bpy
+from bpy.props import IntProperty
+
+from . import parts, refine
+from .errors import Refusal
+
+
+class BOXMORPH_OT_find_parts(bpy.types.Operator):
+    """Split the active object into parts, to see them and to lock what must not change"""
+
+    bl_idname = "boxmorph.find_parts"
+    bl_label = "Find Parts"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        settings = context.scene.boxmorph
+        try:
+            parts.find(
+                context.active_object, context, settings.splits, settings.symmetry, settings.parts_collection
+            )
+        except Refusal as refusal:
+            self.report({"ERROR"}, str(refusal))
+            return {"CANCELLED"}
+        settings.show_parts = True
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_forget_parts(bpy.types.Operator):
+    """Forget the parts of the active object and their locks: the search splits it as it likes"""
+
+    bl_idname = "boxmorph.forget_parts"
+    bl_label = "Forget Parts"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        parts.forget(context.active_object)
+        parts.redraw(context)
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_lock_part(bpy.types.Operator):
+    """Lock the part as it is, or unlock it again"""
+
+    bl_idname = "boxmorph.lock_part"
+    bl_label = "Lock Part"
+    bl_options = {"REGISTER", "UNDO"}
+
+    index: IntProperty(options={"HIDDEN"})
+
+    def execute(self, context):
+        part = context.active_object.boxmorph.items[self.index]
+        part.lock = (not all(part.lock),) * 3
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_refine(bpy.types.Operator):
+    """Cut the faces of the active object that span two parts, close to the boundary on either side, so that
+    they need not shear. UVs, materials and shape keys stay
+    """
+
+    bl_idname = "boxmorph.refine"
+    bl_label = "Refine at Part Boundaries"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        obj = context.active_object
+        settings = context.scene.boxmorph
+        try:
+            added = refine.refine(obj)
+            parts.find(obj, context, settings.splits, settings.symmetry, settings.parts_collection)
+        except Refusal as refusal:
+            self.report({"ERROR"}, str(refusal))
+            return {"CANCELLED"}
+        self.report(
+            {"INFO"}, f"{added} faces added" if added else "No face spans a boundary; nothing was cut"
+        )
+        return {"FINISHED"}
+
+
+class BOXMORPH_UL_parts(bpy.types.UIList):
+    """One line a part: color, name, locks of its axes, lock of the whole."""
+
+    def draw_item(self, _context, layout, _data, item, _icon, _active_data, _property, index=0):
+        row = layout.row(align=True)
+        color = row.row()
+        color.scale_x = 0.35
+        color.prop(item, "color", text="")
+        row.prop(item, "name", text="", emboss=False)
+        axes = row.row(align=True)
+        axes.scale_x = 0.3
+        for axis in range(3):
+            axes.prop(item, "lock", index=axis, text="XYZ"[axis], toggle=True)
+        icon = "LOCKED" if all(item.lock) else "UNLOCKED"
+        row.operator("boxmorph.lock_part", text="", icon=icon, emboss=False).index = index
+
+
+classes = (
+    BOXMORPH_OT_find_parts,
+    BOXMORPH_OT_forget_parts,
+    BOXMORPH_OT_lock_part,
+    BOXMORPH_OT_refine,
+    BOXMORPH_UL_parts,
+)
