@@ -88,6 +88,19 @@ def shown_arrays(obj, context):
     return vertices, triangles
 
 
+def modifiers_depart(obj, context, key_name, expected):
+    """Return how far the object under its modifiers, with this key alone, is from `expected`, (n,3), at most.
+
+    As a share of the size of `expected`; infinite if it has other vertices.
+    """
+    index = obj.data.shape_keys.key_blocks.find(key_name)
+    with _as_modelled(obj, context, index) as mesh:
+        seen = mesh_positions(mesh)
+    if len(seen) != len(expected):
+        return float("inf")
+    return float(np.linalg.norm(seen - expected, axis=1).max() / np.linalg.norm(np.ptp(expected, axis=0)))
+
+
 def mesh_positions(mesh):
     """Return the vertex positions of `mesh`, (n,3) float32. Not for a mesh in Edit Mode."""
     out = np.empty(len(mesh.vertices) * 3, np.float32)
@@ -126,9 +139,9 @@ def mesh_triangles(mesh):
 
 
 @contextmanager
-def _as_modelled(obj, context):
-    """Give the evaluated mesh of `obj` with its Basis pinned and its posing modifiers off; undo both
-    afterwards.
+def _as_modelled(obj, context, key_index=0):
+    """Give the evaluated mesh of `obj` with its Basis, or another key at 1, pinned and its posing modifiers
+    off; undo both afterwards.
     """
     if obj.name not in context.view_layer.objects:
         raise Refusal(
@@ -141,7 +154,7 @@ def _as_modelled(obj, context):
     evaluated = None
     try:
         if obj.data.shape_keys is not None:
-            obj.show_only_shape_key, obj.active_shape_key_index = True, 0
+            obj.show_only_shape_key, obj.active_shape_key_index = True, key_index
         for modifier in posing:
             modifier.show_viewport = False
         if hidden:

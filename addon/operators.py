@@ -77,7 +77,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             search.keep(context.active_object)
         except Refusal as refusal:
             return self._refuse(refusal)
-        self.report({"INFO"}, search.summary())
+        self._report(search, context.active_object, context)
         return {"FINISHED"}
 
     def invoke(self, context, _event):
@@ -97,7 +97,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         _show_status()
         return {"RUNNING_MODAL"}
 
-    def modal(self, _context, event):
+    def modal(self, context, event):
         search = _Running.search
         if search is None:
             _clear()
@@ -114,7 +114,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             return self._give_up("Cancelled by undo")
         if _Running.stop:
             return self._give_up("Cancelled; the object is as it was")
-        return self._tick(search)
+        return self._tick(search, context)
 
     def cancel(self, _context):
         """Blender ends the operator itself: another file is loaded, or it quits."""
@@ -123,7 +123,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             search.cancel(wait=True)
         _clear()
 
-    def _tick(self, search):
+    def _tick(self, search, context):
         ended = search.poll()
         _show_status()
         obj = search.find_object()
@@ -142,7 +142,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             _clear()
             return self._refuse(refusal)
         _clear()
-        self.report({"INFO"}, search.summary())
+        self._report(search, obj, context)
         return {"FINISHED"}
 
     def _begin(self, context):
@@ -173,6 +173,11 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         _clear()
         self.report({"INFO"}, message)
         return {"CANCELLED"}
+
+    def _report(self, search, obj, context):
+        for note in search.departures(obj, context):
+            self.report({"WARNING"}, note)
+        self.report({"INFO"}, search.summary())
 
     def _refuse(self, refusal):
         self.report({"ERROR"}, str(refusal))

@@ -15,6 +15,9 @@ from .errors import Refusal
 from .preferences import preferences
 from .shape_key import Trial
 
+#: How far the outcome under its modifiers may be from what was scored, as a share of its size.
+_DEPARTS = 0.01
+
 
 class Search:
     """A running search on one object. Raises Refusal at once for anything that cannot work."""
@@ -129,6 +132,23 @@ class Search:
         self.name = self._trial.keep(obj, positions, result.slider_min, result.slider_max, report)
         report["shape_key"] = self.name
         self.result, self.report = result, report
+
+    def departures(self, obj, context):
+        """Return sentences on what is seen of the kept outcome but was not scored: modifiers that do not
+        follow it.
+        """
+        if self.arrays.points is None:
+            return []
+        expected = self.result.vertices / self.arrays.scale
+        away = mesh_io.modifiers_depart(obj, context, self.name, expected)
+        if away <= _DEPARTS:
+            return []
+        names = ", ".join(m.name for m in obj.modifiers if m.show_viewport)
+        how = f"up to {away:.0%} of its size" if np.isfinite(away) else "in the number of its vertices"
+        return [
+            f"Under its modifiers ({names}) the outcome differs from what was scored, {how}. "
+            "Apply those that depend on lengths or angles, and search again"
+        ]
 
     def take_back(self, obj):
         """Restore `obj` as it was before the search. Returns whether there was anything to restore."""
