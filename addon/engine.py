@@ -5,6 +5,9 @@ open.
 
 import os
 
+import numpy as np
+
+from . import mesh_io
 from .errors import Refusal
 from .preferences import preferences
 
@@ -34,6 +37,21 @@ def library():
             "operating system and processor"
         ) from error
     return boxmorph
+
+
+def searched(obj, context):
+    """Return the ObjectArrays of `obj`, turned to its own axes, and their Mesh. Raises Refusal."""
+    boxmorph = library()
+    arrays = mesh_io.object_arrays(obj, context)
+    try:
+        mesh = boxmorph.Mesh(arrays.vertices, arrays.triangles)
+        turn = boxmorph.own_turn(mesh)
+        if turn == 0.0:
+            return arrays, mesh
+        arrays = arrays.turned(turn)
+        return arrays, boxmorph.Mesh(np.ascontiguousarray(arrays.vertices), arrays.triangles)
+    except ValueError as error:
+        raise Refusal(sentence(error)) from error
 
 
 def open_guide():

@@ -22,13 +22,29 @@ _POSING = frozenset(
 
 
 class ObjectArrays(NamedTuple):
-    """What a search needs of an object; coordinates times `scale`, so that it is searched as it is seen."""
+    """What a search needs of an object, in coordinates of the search.
+
+    They are scaled as the object is seen, and may be turned about z so that its own axes lie along x and y.
+    """
 
     vertices: np.ndarray  #: (n,3) float32 of the mesh that is seen, without its pose
     triangles: np.ndarray  #: (m,3) int32 into `vertices`
     points: np.ndarray | None  #: (k,3) float32 Basis positions; None where `vertices` are these already
-    scale: np.ndarray  #: (3,) float32, the scale of an unevenly scaled object, else 1
+    place: np.ndarray  #: (3,3) float32 from the object's own coordinates to these: place @ v
     left_out: tuple[str, ...]  #: names of the posing modifiers that were left out
+
+    def to_object(self, positions):
+        """Return positions (n,3) of the search in the object's own coordinates."""
+        return positions @ np.linalg.inv(self.place).T.astype(np.float32)
+
+    def turned(self, angle):
+        """Return the same arrays turned about z by `angle`."""
+        if angle == 0.0:
+            return self
+        cos, sin = np.cos(angle), np.sin(angle)
+        turn = np.array([(cos, -sin, 0), (sin, cos, 0), (0, 0, 1)], np.float32)
+        points = None if self.points is None else self.points @ turn.T
+        return self._replace(vertices=self.vertices @ turn.T, points=points, place=turn @ self.place)
 
 
 def deformable(obj):
@@ -65,11 +81,11 @@ def object_arrays(obj, context):
     left_out = tuple(modifier.name for modifier in shown if modifier.type in _POSING)
     scale = _uneven_scale(obj)
     if len(shown) == len(left_out):
-        arrays = ObjectArrays(base * scale, mesh_triangles(obj.data), None, scale, left_out)
+        arrays = ObjectArrays(base * scale, mesh_triangles(obj.data), None, np.diag(scale), left_out)
     else:
         with _as_modelled(obj, context) as mesh:
             vertices = mesh_positions(mesh) * scale
-            arrays = ObjectArrays(vertices, mesh_triangles(mesh), base * scale, scale, left_out)
+            arrays = ObjectArrays(vertices, mesh_triangles(mesh), base * scale, np.diag(scale), left_out)
     _require_surface(arrays.vertices, arrays.triangles, obj)
     return arrays
 

@@ -60,8 +60,8 @@ class BoxmorphParts(bpy.types.PropertyGroup):
     symmetry: StringProperty()
     #: Triangles that span parts and are too long to be bent gently.
     coarse: IntProperty()
-    #: JSON: boxes [center, half size, part] in the object's own coordinates, tree edges [parent, child], and
-    #: the user's boxes, if any, as they were given.
+    #: JSON, in coordinates of the search: boxes [center, half size, part], tree edges [parent, child], the
+    #: user's boxes, if any, as they were given, and the place (3,3) of the object's own coordinates.
     geometry: StringProperty()
 
 
@@ -81,12 +81,10 @@ class Found:
         except ValueError as error:
             raise Refusal(engine.sentence(error)) from error
 
-    def geometry(self, scale):
-        """Return the boxes and the tree as plain lists; coordinates are divided by `scale`."""
+    def geometry(self):
+        """Return the boxes and the tree as plain lists."""
         graph = self.graph
-        boxes = zip(
-            graph.box_center / scale, graph.box_half_size / scale, graph.parameter_row_of_box, strict=True
-        )
+        boxes = zip(graph.box_center, graph.box_half_size, graph.parameter_row_of_box, strict=True)
         return {
             "boxes": [[center.tolist(), half.tolist(), int(row)] for center, half, row in boxes],
             "tree": graph.tree_edges.tolist(),
@@ -100,10 +98,10 @@ def find(obj, context, splits, symmetry, boxes=None):
     `boxes`: a collection of mesh objects whose bounding boxes are the parts.
     """
     mesh_io.deformable(obj)
-    arrays = mesh_io.object_arrays(obj, context)
-    given = None if boxes is None else given_boxes(obj, boxes, arrays.scale)
-    found = Found(engine.library().Mesh(arrays.vertices, arrays.triangles), splits, symmetry, given)
-    geometry = found.geometry(arrays.scale)
+    arrays, mesh = engine.searched(obj, context)
+    given = None if boxes is None else given_boxes(obj, boxes, arrays.place)
+    found = Found(mesh, splits, symmetry, given)
+    geometry = found.geometry() | {"place": arrays.place.tolist()}
     kept = obj.boxmorph
     count = found.graph.parameter_rows
     locks = [tuple(part.lock) for part in kept.items] if len(kept.items) == count else [(False,) * 3] * count
@@ -119,13 +117,16 @@ def find(obj, context, splits, symmetry, boxes=None):
     redraw(context)
 
 
-def given_boxes(obj, collection, scale):
-    """Return center and half size of each box of a collection, (b,2,3), along the axes of `obj`."""
+def given_boxes(obj, collection, place):
+    """Return center and half size of each box of a collection, (b,2,3), in coordinates of the search.
+
+    `place`, (3,3), leads there from those of `obj`.
+    """
     boxes = []
     for box in collection.all_objects:
         if box.type == "MESH" and box != obj:
-            place = obj.matrix_world.inverted() @ box.matrix_world
-            corners = np.array([place @ Vector(corner) for corner in box.bound_box], np.float32) * scale
+            to_object = obj.matrix_world.inverted() @ box.matrix_world
+            corners = np.array([to_object @ Vector(corner) for corner in box.bound_box]) @ place.T
             low, high = corners.min(0), corners.max(0)
             boxes.append(((low + high) / 2, (high - low) / 2))
     if not boxes:
@@ -160,12 +161,12 @@ def are_chosen(obj):
     return locks(obj) is not None or bool((geometry(obj) or {}).get("given"))
 
 
-def kept_graph(obj, mesh, scale):
+def kept_graph(obj, mesh):
     """Return the graph of the parts kept with `obj`. Raises Refusal if `mesh` has other parts now."""
     kept = obj.boxmorph
     then = geometry(obj)
     found = Found(mesh, kept.splits, kept.symmetry, then["given"])
-    now, then = found.geometry(scale)["boxes"], then["boxes"]
+    now, then = found.geometry()["boxes"], then["boxes"]
     if len(now) == len(then):
         now, then = (np.array([center + half for center, half, _row in boxes]) for boxes in (now, then))
         if np.abs(now - then).max() <= _SAME * np.abs(then).max():

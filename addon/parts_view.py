@@ -43,7 +43,7 @@ def _draw():
         return
     gpu.state.blend_set("ALPHA")
     with gpu.matrix.push_pop():
-        gpu.matrix.multiply_matrix(Matrix(obj.matrix_world))
+        gpu.matrix.multiply_matrix(obj.matrix_world @ Matrix(geometry["place"]).inverted().to_4x4())
         _draw_boxes(obj.boxmorph, geometry["boxes"])
         _draw_tree(geometry)
     gpu.state.depth_test_set("NONE")

@@ -37,8 +37,9 @@ def refine(obj):
     bm = bmesh.new()
     bm.from_mesh(mesh)
     normals = _keep_normals(bm, mesh)
+    place = np.array(geometry["place"])
     for cut in _cuts(geometry["boxes"], reach):
-        _bisect(bm, *cut, reach)
+        _bisect(bm, *cut, place, reach)
     if len(bm.faces) > before:
         bm.to_mesh(mesh)
         _restore_normals(mesh, normals)
@@ -82,13 +83,13 @@ def _cuts(boxes, reach):
     return cuts
 
 
-def _bisect(bm, low, high, axis, place, reach):
-    """Bisect the faces that cross the plane within the box from `low` to `high`."""
+def _bisect(bm, low, high, axis, at, place, reach):
+    """Bisect the faces that cross a plane within the box from `low` to `high`, all in the search's place."""
     faces = []
     for face in bm.faces:
-        corners = np.array([vertex.co for vertex in face.verts])
+        corners = np.array([vertex.co for vertex in face.verts]) @ place.T
         least, most = corners.min(0), corners.max(0)
-        crosses = least[axis] < place - _THROUGH * reach and most[axis] > place + _THROUGH * reach
+        crosses = least[axis] < at - _THROUGH * reach and most[axis] > at + _THROUGH * reach
         beside = np.delete((least <= high) & (most >= low), axis)
         if crosses and beside.all():
             faces.append(face)
@@ -96,13 +97,12 @@ def _bisect(bm, low, high, axis, place, reach):
         return
     edges = {edge for face in faces for edge in face.edges}
     vertices = {vertex for face in faces for vertex in face.verts}
-    normal = Vector((0.0, 0.0, 0.0))
-    normal[axis] = 1.0
+    normal = Vector(place[axis])
     bmesh.ops.bisect_plane(
         bm,
         geom=[*vertices, *edges, *faces],
         dist=_THROUGH * reach,
-        plane_co=normal * place,
+        plane_co=normal * (at / normal.length_squared),
         plane_no=normal,
     )
 

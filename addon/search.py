@@ -41,7 +41,7 @@ class Search:
         guide = engine.open_guide()
         self.prompt, self.unknown = engine.checked_prompt(guide, prompt)
         self.nearest = {word: guide.nearest_words(word, 1) for word in self.unknown}
-        self.arrays = mesh_io.object_arrays(obj, context)
+        self.arrays, mesh = engine.searched(obj, context)
         self.uid, self.object_name = obj.session_uid, obj.name
         self.shared_by = obj.data.users
         self.locked = parts.locks(obj)
@@ -51,11 +51,10 @@ class Search:
             "renderer": renderer or preferences().renderer,
         }
         if self.arrays.points is not None:
-            options["points"] = self.arrays.points
+            options["points"] = np.ascontiguousarray(self.arrays.points)
         try:
-            mesh = self._boxmorph.Mesh(self.arrays.vertices, self.arrays.triangles)
             if parts.are_chosen(obj):
-                options["graph"] = parts.kept_graph(obj, mesh, self.arrays.scale)
+                options["graph"] = parts.kept_graph(obj, mesh)
                 options["locked"] = self.locked
             else:
                 options["splits"] = "auto" if splits == "auto" else int(splits)
@@ -114,7 +113,7 @@ class Search:
         if best is None:
             return
         self._shown_score, positions = best
-        self._trial.write(obj, positions / self.arrays.scale)
+        self._trial.write(obj, self.arrays.to_object(positions))
 
     def keep(self, obj):
         """Make the finished search's result the outcome shape key of `obj`. Raises Refusal if it failed."""
@@ -124,7 +123,7 @@ class Search:
         except self._expected() as error:
             raise Refusal(engine.sentence(error)) from error
         positions = result.vertices if self.arrays.points is None else result.points
-        positions = positions / self.arrays.scale
+        positions = self.arrays.to_object(positions)
         if not np.isfinite(positions).all():
             raise Refusal("The search ended in coordinates that are not numbers; nothing was changed")
         report = dict(result.report())
@@ -139,7 +138,7 @@ class Search:
         """
         if self.arrays.points is None:
             return []
-        expected = self.result.vertices / self.arrays.scale
+        expected = self.arrays.to_object(self.result.vertices)
         away = mesh_io.modifiers_depart(obj, context, self.name, expected)
         if away <= _DEPARTS:
             return []

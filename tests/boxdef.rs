@@ -3,7 +3,7 @@
 
 mod common;
 
-use boxmorph::boxdef::{Boundary, BoxDefError, BoxDefGraph, Parts, Symmetry};
+use boxmorph::boxdef::{Boundary, BoxDefError, BoxDefGraph, Parts, Symmetry, own_turn, turned};
 use boxmorph::mesh::Mesh;
 use common::{Maker, aeroplane, ball, bottle, chair, cone, lamp, lopsided, plain_box, sofa, table, v};
 use glam::Vec3;
@@ -329,6 +329,30 @@ fn given_boxes_are_checked_with_a_sentence_each() {
     let far =
         BoxDefGraph::from_boxes(&mesh, &[v(50.0, 0.0, 0.0)], &[Vec3::ONE], Symmetry::None, Boundary::Smooth);
     assert_eq!(far.unwrap().parameter_rows(), 1);
+}
+
+#[test]
+fn a_shape_that_lies_askew_is_turned_to_its_own_axes() {
+    for (name, maker) in [("chair", chair(2)), ("table", table(2)), ("aeroplane", aeroplane())] {
+        let mesh = maker.mesh();
+        assert!(own_turn(&mesh).abs() <= 0.0, "{name} lies straight");
+        for askew in [45.0_f64, 30.0, -20.0, 5.0] {
+            let other =
+                Mesh::new(turned(mesh.vertices(), askew.to_radians()), mesh.triangles().to_vec()).unwrap();
+            let back = own_turn(&other).to_degrees();
+            // By a quarter more or less the axes are the same ones.
+            let off = (askew + back).rem_euclid(90.0);
+            assert!(off.min(90.0 - off) < 0.1, "{name} at {askew} is turned by {back}");
+        }
+    }
+}
+
+#[test]
+fn what_has_no_direction_of_its_own_is_not_turned() {
+    assert!(own_turn(&ball()).abs() <= 0.0);
+    assert!(own_turn(&bottle()).abs() <= 0.0);
+    let skewed = lopsided().moved(|p| p + v(0.3 * p.y, 0.1 * p.z, 0.0)).mesh();
+    assert!(own_turn(&skewed).abs() <= 0.0);
 }
 
 fn two_boxes() -> (Mesh, Parts) {

@@ -20,6 +20,7 @@ from ._boxmorph import (
     Result,
     __version__,
     metrics,
+    own_turn,
     render,
 )
 
@@ -34,6 +35,7 @@ __all__ = [
     "Result",
     "__version__",
     "metrics",
+    "own_turn",
     "render",
 ]
 

@@ -18,6 +18,9 @@ const WHOLE: f64 = 0.8;
 /// piece with its fuselage is no less a part.
 const GUEST: f64 = 0.5;
 
+/// Triangles that one thread takes at least.
+const SHARE: usize = 50_000;
+
 /// The owner of every vertex: the nearest box, the first of several (a vertex inside a box is at distance
 /// 0); but loose parts (`islands` numbers them) that lie mostly in one box's space go to it whole, and mirror images to twins.
 pub(crate) fn assign(
@@ -67,8 +70,8 @@ fn keep_islands_whole(
     if count < 2 {
         return;
     }
-    let mut samples = vec![0_u32; count * boxes.len()];
-    for triangle in mesh.triangles() {
+    let none = || vec![0_u32; count * boxes.len()];
+    let counted = mesh.triangles().par_iter().with_min_len(SHARE).fold(none, |mut samples, triangle| {
         let island = islands[triangle[0] as usize] as usize;
         sample_triangle(triangle.map(|i| vertices[i as usize]), |point| {
             let cell = occupancy.cell_of(point);
@@ -76,7 +79,9 @@ fn keep_islands_whole(
                 samples[island * boxes.len() + part] += 1;
             }
         });
-    }
+        samples
+    });
+    let samples = counted.reduce(none, |a, b| a.iter().zip(b).map(|(a, b)| a + b).collect());
     let mut totals = vec![0_u32; boxes.len()];
     for (i, &count) in samples.iter().enumerate() {
         totals[i % boxes.len()] += count;

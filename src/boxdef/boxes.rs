@@ -2,6 +2,7 @@
 //! Pieces to part boxes: mid, pos and neg boxes, tight around the surface in their share of space.
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use crate::mesh::Mesh;
 
@@ -116,30 +117,25 @@ fn surface_bounds(
         index if index == occupancy.size()[axis] => f64::INFINITY,
         index => occupancy.boundary(axis, index),
     }));
-    let mut bounds = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    let mut include = |point: DVec3| bounds = (bounds.0.min(point), bounds.1.max(point));
-    let mut polygon = Vec::new();
-    let mut scratch = Vec::new();
-    for triangle in mesh.triangles() {
+    let empty = || (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let of_triangle = |triangle: &[u32; 3]| {
         let corners = triangle.map(|i| vertices[i as usize]);
         let least = corners[0].min(corners[1]).min(corners[2]);
         let most = corners[0].max(corners[1]).max(corners[2]);
         if least.cmpge(high).any() || most.cmplt(low).any() {
-            continue;
+            return empty();
         }
         if least.cmpge(low).all() && most.cmple(high).all() {
-            corners.into_iter().for_each(&mut include);
-            continue;
+            return (least, most);
         }
-        polygon.clear();
-        polygon.extend(corners);
+        let (mut polygon, mut scratch) = (corners.to_vec(), Vec::new());
         for axis in 0..3 {
             clip(&mut polygon, &mut scratch, |p| p[axis] - low[axis]);
             clip(&mut polygon, &mut scratch, |p| high[axis] - p[axis]);
         }
-        polygon.iter().copied().for_each(&mut include);
-    }
-    bounds
+        polygon.iter().fold(empty(), |(low, high), &point| (low.min(point), high.max(point)))
+    };
+    mesh.triangles().par_iter().map(of_triangle).reduce(empty, |a, b| (a.0.min(b.0), a.1.max(b.1)))
 }
 
 /// Keeps the part of a convex polygon where `inside` is not negative.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Which vertices hang together.
 
-use std::collections::HashMap;
-
 use glam::DVec3;
+use rayon::prelude::*;
 
 use crate::mesh::Mesh;
 
@@ -37,12 +36,17 @@ impl Islands {
 
 /// For each point the first one in the very same place.
 pub(crate) fn places(points: &[DVec3]) -> Vec<u32> {
-    let mut first = HashMap::with_capacity(points.len());
-    let numbered = points.iter().enumerate();
     // Adding 0 makes −0 and 0 one place.
-    numbered
-        .map(|(i, p)| *first.entry(p.to_array().map(|x| (x + 0.0).to_bits())).or_insert(i as u32))
-        .collect()
+    let place = |i: u32| points[i as usize].to_array().map(|x| (x + 0.0).to_bits());
+    let mut order: Vec<u32> = (0..points.len() as u32).collect();
+    order.par_sort_unstable_by_key(|&i| (place(i), i));
+    let mut first = vec![0; points.len()];
+    for same in order.chunk_by(|&a, &b| place(a) == place(b)) {
+        for &i in same {
+            first[i as usize] = same[0];
+        }
+    }
+    first
 }
 
 /// Number of the loose part that each vertex belongs to. Vertices in the very same place are one, so that

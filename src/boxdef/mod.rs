@@ -20,6 +20,7 @@ mod propagate;
 mod split;
 mod symmetry;
 mod transfer;
+mod turn;
 
 pub use boundary::Boundary;
 pub use error::BoxDefError;
@@ -27,3 +28,4 @@ pub use field::DeformField;
 pub use graph::BoxDefGraph;
 pub use parts::Parts;
 pub use symmetry::Symmetry;
+pub use turn::{own_turn, turned};

@@ -6,6 +6,7 @@ use std::num::NonZero;
 
 use glam::DVec3;
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
+use rayon::prelude::*;
 
 /// A search tree over some of a slice of points.
 pub(crate) struct Nearest {
@@ -21,7 +22,7 @@ impl Nearest {
     pub(crate) fn new(points: &[DVec3], ids: impl IntoIterator<Item = u32>) -> Self {
         let place = |i: u32| points[i as usize].to_array();
         let mut ids: Vec<u32> = ids.into_iter().collect();
-        ids.sort_by(|&a, &b| compare(place(a), place(b)).then(a.cmp(&b)));
+        ids.par_sort_unstable_by(|&a, &b| compare(place(a), place(b)).then(a.cmp(&b)));
         ids.dedup_by(|a, b| compare(place(*a), place(*b)).is_eq());
         ids.sort_unstable();
         let places: Vec<[f64; 3]> = ids.iter().map(|&i| place(i)).collect();

@@ -5,7 +5,10 @@
 //! outside does not reach is inside. Flat openings are closed for that; other open shells are hollow. Sheets
 //! thinner than a cell, intersecting shells, loose parts and flipped normals need nothing more.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use glam::DVec3;
+use rayon::prelude::*;
 
 use crate::mesh::Mesh;
 
@@ -74,14 +77,18 @@ impl Occupancy {
         let (low, high) = mesh.surface_bounds();
         let half = (high - low) * (0.5 / frame.unit);
         let size = half.to_array().map(|h| 2 * (h / CELL).ceil().max(1.0) as usize + 2);
-        let mut grid = Self { size, filled: vec![false; size.iter().product()] };
-        let surface = mesh.triangles().iter().map(|triangle| triangle.map(|i| vertices[i as usize]));
-        for corners in surface.chain(caps(mesh.triangles(), vertices, places)) {
+        let mut grid = Self { size, filled: Vec::new() };
+        let mut filled = Vec::new();
+        filled.resize_with(size.iter().product(), AtomicBool::default);
+        // Cells are only ever filled, so the order of the triangles does not matter.
+        let fill = |corners| {
             sample_triangle(corners, |point| {
-                let index = grid.index(grid.cell_of(point));
-                grid.filled[index] = true;
+                filled[grid.index(grid.cell_of(point))].store(true, Ordering::Relaxed);
             });
-        }
+        };
+        mesh.triangles().par_iter().for_each(|triangle| fill(triangle.map(|i| vertices[i as usize])));
+        caps(mesh.triangles(), vertices, places).into_par_iter().for_each(fill);
+        grid.filled = filled.into_iter().map(AtomicBool::into_inner).collect();
         grid.fill_inside();
         grid
     }

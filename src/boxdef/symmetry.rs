@@ -50,9 +50,14 @@ const ENOUGH: f64 = 0.97;
 /// The axis about which a shape is to be treated as symmetric.
 pub(crate) fn resolve(symmetry: Symmetry, occupancy: &Occupancy) -> Option<usize> {
     match symmetry {
-        Symmetry::Auto => (0..2).find(|&axis| occupancy.mirror_agreement(axis) >= ENOUGH),
+        Symmetry::Auto => (0..2).find(|&axis| is_mirrored(occupancy, axis)),
         named => named.axis(),
     }
+}
+
+/// Whether a shape mirrors about an axis.
+pub(crate) fn is_mirrored(occupancy: &Occupancy, axis: usize) -> bool {
+    occupancy.mirror_agreement(axis) >= ENOUGH
 }
 
 /// For each vertex the vertex in its mirror image's place, and itself on the plane; none where there is no

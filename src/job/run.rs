@@ -144,7 +144,9 @@ fn search_stage(
     spent.images += objective.images_encoded();
     spent.renderer = objective.backend_name();
     // The unchanged object competes too: an outcome is never worse than what was given.
-    let improved = after.worth() >= before.worth() && after.score >= before.score;
+    // Where a comparative asks for more than the pictures reward, the score may fall.
+    let asked = after.shortfall < before.shortfall;
+    let improved = after.worth() >= before.worth() && (asked || after.score >= before.score);
     let (scales, after) = if improved { (found.scales, after) } else { (unchanged, before) };
     let best = Best { score: after.score, scales, stage: stage.clone() };
     Ok(Finalist { best, before, after, stop: found.stop })

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 
 use super::arrays;
 use super::errors::IntoPyErr;
-use crate::boxdef::{BoxDefGraph, Parts, Symmetry};
+use crate::boxdef::{self, BoxDefGraph, Parts, Symmetry};
 use crate::mesh::Mesh;
 
 /// A triangle mesh: vertices (n, 3) float32, triangles (m, 3) uint32 or int32; copied.
@@ -184,4 +184,10 @@ impl PyBoxDefGraph {
             self.0.parameter_rows()
         )
     }
+}
+
+/// The angle about z, in radians, by which to turn a mesh so that its own axes lie along x and y.
+#[pyfunction]
+pub fn own_turn(py: Python<'_>, mesh: &PyMesh) -> f64 {
+    py.detach(|| boxdef::own_turn(&mesh.0))
 }

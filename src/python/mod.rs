@@ -19,7 +19,7 @@ mod _boxmorph {
     #[pymodule_export]
     use super::errors::{Cancelled, GuideError, RenderError};
     #[pymodule_export]
-    use super::graph::{PyBoxDefGraph, PyMesh};
+    use super::graph::{PyBoxDefGraph, PyMesh, own_turn};
     #[pymodule_export]
     use super::guide::{PyGuide, set_default_library};
     #[pymodule_export]

@@ -2,6 +2,7 @@
 //! The search for box scales: objective, presets, CMA-ES, and the gauge that pins the outcome (paper §4).
 
 mod cmaes;
+mod comparison;
 mod footing;
 mod gauge;
 mod inherit;
@@ -12,6 +13,7 @@ mod space;
 mod target;
 
 pub use cmaes::{Bounds, CmaEs, CmaEsOptions, SearchError, StopReason};
+pub use comparison::Comparison;
 pub use footing::Footing;
 pub use gauge::{Gauge, KeepPlace, KeepSize};
 pub use inherit::inherit;

@@ -7,8 +7,8 @@ use glam::Vec3;
 use rayon::prelude::*;
 use thiserror::Error;
 
-use super::Target;
 use super::preset::{ImagePlan, NORMAL_WEIGHT, Preset};
+use super::{Comparison, Target};
 use crate::boxdef::DeformField;
 use crate::guide::{Guide, GuideError};
 use crate::mesh::Mesh;
@@ -34,15 +34,17 @@ pub struct Evaluation {
     pub normal_error: f64,
     /// What the prompt's strongest rival takes from the score ([`Target`]), weighted by the preset.
     pub rivalry: f64,
-    /// `−score + rivalry + 0.25 · normal error + weight · effort`; lower is better.
+    /// By how much it falls short of what a comparative in the prompt asks for, weighted by the preset.
+    pub shortfall: f64,
+    /// `−score + rivalry + shortfall + 0.25 · normal error + weight · effort`; lower is better.
     pub loss: f64,
 }
 
 impl Evaluation {
-    /// The score less the rivalry: what outcomes are chosen by.
+    /// The score less rivalry and shortfall: what outcomes are chosen by.
     #[must_use]
     pub fn worth(&self) -> f64 {
-        self.score - self.rivalry
+        self.score - self.rivalry - self.shortfall
     }
 }
 
@@ -52,6 +54,7 @@ pub struct Objective<'a> {
     field: Arc<DeformField>,
     guide: &'a Guide,
     target: &'a Target,
+    comparison: Option<Comparison>,
     renderer: Box<dyn Renderer>,
     preset: &'a Preset,
     rest_normals: Vec<Vec3>,
@@ -79,6 +82,7 @@ impl<'a> Objective<'a> {
             field,
             guide,
             target,
+            comparison: Comparison::of(target.prompt(), mesh.vertices()),
             renderer,
             preset,
             rest_normals,
@@ -118,18 +122,26 @@ impl<'a> Objective<'a> {
         let embeddings = self.guide.image_embeddings(&self.rgb)?;
         self.images_encoded += candidates.len() * pairs.len();
         let (mesh, field, rest) = (self.mesh, &*self.field, self.rest_normals.as_slice());
-        let errors: Vec<f64> =
-            candidates.par_iter().map(|scales| normal_error(mesh, field, rest, scales)).collect();
+        let comparison = self.comparison;
+        let measured: Vec<(f64, f64)> = candidates
+            .par_iter()
+            .map(|scales| {
+                let positions = field.deform(scales);
+                let shortfall = comparison.map_or(0.0, |comparison| comparison.shortfall(&positions));
+                (normal_error(mesh, rest, &positions), shortfall)
+            })
+            .collect();
         let per_candidate = pairs.len() * self.target.dimension();
         let appraisals = embeddings.chunks_exact(per_candidate).map(|images| self.target.appraise(images));
-        let Preset { rival_weight, effort_weight, .. } = self.preset;
+        let Preset { rival_weight, comparison_weight, effort_weight, .. } = self.preset;
         Ok(appraisals
-            .zip(errors)
+            .zip(measured)
             .zip(candidates)
-            .map(|(((score, rivalry), normal_error), scales)| {
-                let rivalry = rival_weight * rivalry;
-                let loss = rivalry - score + NORMAL_WEIGHT * normal_error + effort_weight * effort(scales);
-                Evaluation { score, normal_error, rivalry, loss }
+            .map(|(((score, rivalry), (normal_error, shortfall)), scales)| {
+                let (rivalry, shortfall) = (rival_weight * rivalry, comparison_weight * shortfall);
+                let bent = NORMAL_WEIGHT * normal_error;
+                let loss = rivalry + shortfall - score + bent + effort_weight * effort(scales);
+                Evaluation { score, normal_error, rivalry, shortfall, loss }
             })
             .collect())
     }
@@ -153,8 +165,8 @@ impl<'a> Objective<'a> {
 }
 
 /// Mean of 1 − cos between vertex normals before and after (paper §3.1).
-fn normal_error(mesh: &Mesh, field: &DeformField, rest_normals: &[Vec3], scales: &[Vec3]) -> f64 {
-    let normals = mesh.vertex_normals(&field.deform(scales));
+fn normal_error(mesh: &Mesh, rest_normals: &[Vec3], positions: &[Vec3]) -> f64 {
+    let normals = mesh.vertex_normals(positions);
     // A vertex without a normal (its faces collapsed) counts as turned by a right angle.
     let cosine = |(a, b): (&Vec3, &Vec3)| if a.is_finite() { f64::from(a.dot(*b)) } else { 0.0 };
     let total: f64 =

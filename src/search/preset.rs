@@ -50,6 +50,8 @@ pub struct Preset {
     pub images: ImagePlan,
     /// Weight, in the loss, of looking like another name the guide was taught ([`super::Target`]).
     pub rival_weight: f64,
+    /// Weight, in the loss, of falling short of what a comparative asks for ([`super::Comparison`]).
+    pub comparison_weight: f64,
     /// Weight, in the loss, of scaling the parts unevenly.
     pub effort_weight: f64,
     /// Whether parts that stand on the floor together stay so ([`super::Footing`]).
@@ -69,6 +71,7 @@ impl Preset {
         tol_fun: 1e-4,
         images: ImagePlan::All,
         rival_weight: 0.0,
+        comparison_weight: 0.0,
         effort_weight: 0.0,
         footing: false,
     };
@@ -85,6 +88,7 @@ impl Preset {
         tol_fun: 1e-4,
         images: ImagePlan::InTurn,
         rival_weight: 0.5,
+        comparison_weight: 1.0,
         effort_weight: 0.05,
         footing: true,
     };

@@ -13,6 +13,7 @@ const MARGIN: f64 = 0.05;
 /// more like a sofa than like a park bench, and a taller chair more like that than like a chair.
 #[derive(Debug, Clone)]
 pub struct Target {
+    text: String,
     prompt: Vec<f32>,
     rivals: Vec<f32>,
 }
@@ -20,10 +21,17 @@ pub struct Target {
 impl Target {
     /// Reads the prompt. There are no rivals where the guide was taught no names.
     pub fn new(guide: &Guide, prompt: &str) -> Result<Self, GuideError> {
+        let text = prompt.to_owned();
         let prompt = guide.text_embedding(prompt)?;
         let names = guide.class_embeddings()?.chunks_exact(prompt.len());
         let rivals = names.filter(|name| dot(name, &prompt) < SAME).flatten().copied().collect();
-        Ok(Self { prompt, rivals })
+        Ok(Self { text, prompt, rivals })
+    }
+
+    /// The prompt.
+    #[must_use]
+    pub fn prompt(&self) -> &str {
+        &self.text
     }
 
     /// Length of an embedding.
@@ -60,7 +68,8 @@ mod tests {
     use super::*;
 
     fn target() -> Target {
-        Target { prompt: vec![1.0, 0.0, 0.0], rivals: vec![0.0, 1.0, 0.0, 0.0, 0.0, 1.0] }
+        let rivals = vec![0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+        Target { text: String::new(), prompt: vec![1.0, 0.0, 0.0], rivals }
     }
 
     #[test]

@@ -7,6 +7,7 @@ import addon_blender as blender
 import numpy as np
 import pytest
 from addon_blender import bpy
+from mathutils import Matrix
 
 PROMPT = "a bar stool"
 
@@ -144,6 +145,29 @@ def test_boxes_of_ones_own_are_the_parts():
     bpy.ops.boxmorph.lock_part(index=0)
     blender.deform(PROMPT)
     assert record(obj)["scales"][0] == [1.0] * 3 and record(obj)["boxes"] == 2
+
+
+def test_an_object_that_lies_askew_is_split_along_its_own_axes(chair):
+    straight = blender.addon("parts").geometry(chair)
+    blender.empty_scene()
+    obj = blender.chair()
+    turn = Matrix.Rotation(np.radians(30.0), 4, "Z")
+    obj.data.transform(turn)
+    bpy.ops.boxmorph.find_parts()
+    askew = blender.addon("parts").geometry(obj)
+    assert len(askew["boxes"]) == len(straight["boxes"])
+    assert np.allclose(np.array(askew["place"]) @ np.array(turn)[:3, :3], np.eye(3), atol=1e-4)
+    for ours, theirs in zip(askew["boxes"], straight["boxes"], strict=True):
+        assert np.allclose(ours[0], theirs[0], atol=1e-3) and np.allclose(ours[1], theirs[1], atol=1e-3)
+    # What is found lies along the turned axes, in the object's own coordinates.
+    rest = blender.evaluated_positions(obj)
+    bpy.ops.boxmorph.lock_part(index=0)
+    blender.deform(PROMPT)
+    along = np.array(turn)[:3, :3]
+    moved = (blender.positions(obj.data.shape_keys.key_blocks[PROMPT]) - rest) @ along
+    rest = rest @ along
+    left, right = rest[:, 0] < -1e-3, rest[:, 0] > 1e-3
+    assert np.isclose(np.abs(moved[left, 0]).max(), np.abs(moved[right, 0]).max(), atol=1e-3)
 
 
 def test_scales_stay_in_the_range_of_the_panel():
