@@ -134,6 +134,16 @@ def name_meshes(guide, folder):
     return named
 
 
+def family_of(guide, view):
+    """The word for the family that a shape belongs to: the one whose three best names score highest together.
+
+    One name alone would not do: a low table without drawers is a bench as well.
+    """
+    score = dict(zip(guide.classes, guide.shapes(view[None])[0] @ guide.words(guide.classes).T, strict=True))
+    families = guide.config["boxmorph"]["families"]
+    return max(families, key=lambda name: sum(sorted(score[kind] for kind in families[name])[-3:]))
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("guide")

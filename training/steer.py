@@ -19,7 +19,7 @@ os.environ.setdefault("RAYON_NUM_THREADS", "1")  # one search a process
 import boxmorph
 import numpy as np
 from draw import draw
-from evaluate import GuideFiles, name_meshes, read_obj
+from evaluate import GuideFiles, family_of, read_obj
 from families import FAMILIES
 from generate import grey_views
 from grading import quantities
@@ -30,6 +30,7 @@ from text import article
 
 UNSEEN = 7_000_000  # seeds from here on are of no training
 ALPHAS = np.linspace(0, 1, 11)
+MOVABLE = 0.05  # spread of a quantity over random scalings from which on a shape can be asked for it
 SIDE = 160
 
 
@@ -83,18 +84,31 @@ def steer(task):
     return row, line[-1]
 
 
+def _quantity(module, number, q, vertices):
+    """A quantity of a drawn shape with its vertices moved."""
+    shape = drawn(module, number)
+    set_vertices(shape, vertices)
+    return quantities(shape, FAMILIES[module].measure(shape)[0])[q]
+
+
 def adjust(task):
-    """One row: a drawn shape searched to an adjective; whether its quantity moved the right way."""
+    """One row: a drawn shape searched to an adjective; whether its quantity moved the right way. None where
+    no scaling moves it: a cup without a stem has no longer one.
+    """
     module, number, adjective, seed = task
-    family, shape = FAMILIES[module], drawn(module, number)
+    family = FAMILIES[module]
     quantity, sign = family.adjectives[adjective]
     q = family.quantities.index(quantity)
-    vertices, triangles = shape.mesh()
-    before = quantities(shape, family.measure(shape)[0])[q]
-    prompt = article(f"{forms(adjective)[min(1, len(forms(adjective)) - 1)]} {family.word}")
+    vertices, triangles = drawn(module, number).mesh()
+    graph = boxmorph.BoxDefGraph.build(boxmorph.Mesh(vertices, triangles), 3)
+    scales = np.exp(np.random.default_rng(0).normal(0, 0.4, (12, graph.parameter_rows, 3))).astype(np.float32)
+    if np.ptp([_quantity(module, number, q, graph.deform(s)) for s in scales]) < MOVABLE:
+        return None
+    form = forms(adjective)[min(1, len(forms(adjective)) - 1)]
+    prompt = article(f"{family.word} {form}" if form.startswith("with ") else f"{form} {family.word}")
     result = _search(vertices, triangles, prompt, seed)
-    set_vertices(shape, result.vertices)
-    moved = sign * (quantities(shape, family.measure(shape)[0])[q] - before)
+    before, after = (_quantity(module, number, q, v) for v in (vertices, result.vertices))
+    moved = sign * (after - before)
     return {
         "family": module,
         "prompt": prompt,
@@ -106,13 +120,13 @@ def adjust(task):
 
 def tasks_of_meshes(guide, folder, seeds):
     """Every mesh of the folder to every kind of the family that the guide takes it for."""
-    families = GuideFiles(guide).config["boxmorph"]["families"]
-    named = name_meshes(GuideFiles(guide), folder)
+    files = GuideFiles(guide)
+    meshes = {path.stem: read_obj(path) for path in sorted(Path(folder).glob("*.obj"))}
+    family = {name: family_of(files, grey_views(*mesh)) for name, mesh in meshes.items()}
     for seed in range(seeds):
-        for name, best in named.items():
-            kinds = next(kinds for kinds in families.values() if best[0][0] in kinds)
-            vertices, triangles = read_obj(Path(folder) / f"{name}.obj")
-            yield from ((name, vertices, triangles, kind, seed) for kind in kinds)
+        for name, mesh in meshes.items():
+            kinds = files.config["boxmorph"]["families"][family[name]]
+            yield from ((name, *mesh, kind, seed) for kind in kinds)
 
 
 def tasks_of_families(shapes, seeds):
@@ -201,10 +215,10 @@ def main():
     # Not forked: the renderer's threads, once started here, would be missing there.
     with get_context("spawn").Pool(a.processes, _open, (a.guide,)) as pool:
         rows = []
-        for row in pool.imap(work, tasks, chunksize=2):
-            rows.append(row)
-            if len(rows) % 50 == 0:
-                print(f"{len(rows)} of {len(tasks)}", flush=True)
+        for done, row in enumerate(pool.imap(work, tasks, chunksize=2), 1):
+            rows += [row] if row else []
+            if done % 50 == 0:
+                print(f"{done} of {len(tasks)}", flush=True)
     if not a.adjectives:
         judge = GuideFiles(a.judge)
         rows = [{**row, "judge": _rank(judge, view, row["prompt"])} for row, view in rows]

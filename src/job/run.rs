@@ -11,17 +11,24 @@ use super::{JobError, JobSpec};
 use crate::boxdef::BoxDefGraph;
 use crate::render::{self, View};
 use crate::report::{GuideRecord, Report};
-use crate::search::{self, Evaluation, Footing, ImagePlan, Objective, SearchSpace, StopReason, Target};
+use crate::search::{
+    self, Evaluation, Footing, ImagePlan, Objective, SearchSpace, Start, StopReason, Target,
+};
 use crate::spectrum::{DEFAULT_RANGE, slider_limits};
 
 /// Between the seeds of searches of the same boxes; far from the small seeds that people choose.
 const AGAIN: u64 = 0x9e37_79b9;
+
+/// First step size of a restart, in units of the search variable.
+const WIDE: f64 = 1.0;
 
 /// The winner of one split count, judged by every image.
 struct Finalist {
     best: Best,
     before: Evaluation,
     after: Evaluation,
+    /// Whether it is another shape than what was given.
+    improved: bool,
     stop: StopReason,
 }
 
@@ -29,6 +36,8 @@ struct Finalist {
 #[derive(Default)]
 struct Spent {
     generations: usize,
+    /// Generations that the searches so far might have taken.
+    reserved: usize,
     evaluations: usize,
     images: usize,
     renderer: String,
@@ -40,19 +49,35 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
     let views = render::views_by_name("paper")?;
     harness.update(|p| p.phase = "Finding the parts".into());
     let stages = stages(spec, harness)?;
-    let total = stages.len() * spec.preset.max_generations;
-    harness.update(|p| p.generations = total);
+    let searches = stages.len() + spec.preset.restarts;
+    harness.update(|p| p.generations = searches * spec.preset.max_generations);
     let mut spent = Spent::default();
     let mut winner: Option<Finalist> = None;
     for (index, stage) in stages.iter().enumerate() {
-        let done = index * spec.preset.max_generations;
         let again = stages[..index].iter().filter(|earlier| Arc::ptr_eq(earlier, stage)).count();
         let seed = spec.seed.wrapping_add(again as u64 * AGAIN);
+        let scales = match &winner {
+            Some(w) if spec.preset.inherit => {
+                search::inherit(&stage.graph, &w.best.stage.field.deform(&w.best.scales))
+            }
+            _ => vec![Vec3::ONE; stage.graph.parameter_rows()],
+        };
+        let start = Start { scales, sigma: spec.preset.sigma, seed };
         let finalist =
-            search_stage(spec, harness, stage, seed, &target, &views, &mut spent, done, winner.as_ref())?;
-        if winner.as_ref().is_none_or(|w| finalist.after.worth() > w.after.worth()) {
-            winner = Some(finalist);
-        }
+            search_stage(spec, harness, stage, &start, &target, &views, &mut spent, winner.as_ref())?;
+        keep_better(&mut winner, finalist);
+    }
+    for restart in 1..=spec.preset.restarts {
+        let (Some(stage), Some(true)) = (stages.last(), winner.as_ref().map(|w| w.after.rivalry > 0.0))
+        else {
+            break;
+        };
+        let scales = vec![Vec3::ONE; stage.graph.parameter_rows()];
+        let seed = spec.seed.wrapping_sub(restart as u64 * AGAIN);
+        let start = Start { scales, sigma: WIDE, seed };
+        let finalist =
+            search_stage(spec, harness, stage, &start, &target, &views, &mut spent, winner.as_ref())?;
+        keep_better(&mut winner, finalist);
     }
     let winner = winner.ok_or(JobError::NotFinished)?;
     Ok(outcome(spec, harness, winner, spent))
@@ -82,16 +107,23 @@ fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError
     Ok(stages)
 }
 
-#[expect(clippy::too_many_arguments, reason = "one call; a struct would only rename the arguments")]
+/// Keeps the outcome of greater worth, and any before none.
+fn keep_better(winner: &mut Option<Finalist>, finalist: Finalist) {
+    let better = |w: &Finalist| (finalist.improved, finalist.after.worth()) > (w.improved, w.after.worth());
+    if winner.as_ref().is_none_or(better) {
+        *winner = Some(finalist);
+    }
+}
+
+#[expect(clippy::too_many_arguments, reason = "two calls; a struct would only rename the arguments")]
 fn search_stage(
     spec: &JobSpec,
     harness: &Harness,
     stage: &Arc<Stage>,
-    seed: u64,
+    start: &Start,
     target: &Target,
     views: &[View],
     spent: &mut Spent,
-    generations_before: usize,
     winner: Option<&Finalist>,
 ) -> Result<Finalist, JobError> {
     let mut objective = Objective::new(
@@ -112,18 +144,13 @@ fn search_stage(
         p.score_before = Some(before.score);
     });
     let total = harness.progress().generations.max(1);
-    let evaluations_before = spent.evaluations;
+    let (generations_before, evaluations_before) = (spent.reserved, spent.evaluations);
+    spent.reserved += spec.preset.max_generations;
     let mut shown = winner.map_or(f64::NEG_INFINITY, |w| w.after.score);
     let space = SearchSpace::new(stage.graph.parameter_rows(), spec.locked.as_deref(), spec.scale_range)?;
     let footing = spec.preset.footing.then(|| Footing::of(&stage.graph, &space)).flatten();
-    let start = match winner {
-        Some(w) if spec.preset.inherit => {
-            search::inherit(&stage.graph, &w.best.stage.field.deform(&w.best.scales))
-        }
-        _ => unchanged.clone(),
-    };
     let found =
-        search::search(&mut objective, &space, footing.as_ref(), &spec.preset, &start, seed, |generation| {
+        search::search(&mut objective, &space, footing.as_ref(), &spec.preset, start, |generation| {
             let done = generations_before + generation.number;
             harness.update(|p| {
                 p.generation = done;
@@ -146,14 +173,14 @@ fn search_stage(
     // The unchanged object competes too: an outcome is never worse than what was given.
     // Where a comparative asks for more than the pictures reward, the score may fall.
     let asked = after.shortfall < before.shortfall;
-    let improved = after.worth() >= before.worth() && (asked || after.score >= before.score);
+    let improved = after.score > before.score || (asked && after.worth() >= before.worth());
     let (scales, after) = if improved { (found.scales, after) } else { (unchanged, before) };
     let best = Best { score: after.score, scales, stage: stage.clone() };
-    Ok(Finalist { best, before, after, stop: found.stop })
+    Ok(Finalist { best, before, after, improved, stop: found.stop })
 }
 
 fn outcome(spec: &JobSpec, harness: &Harness, winner: Finalist, spent: Spent) -> Outcome {
-    let Finalist { best, before, after, stop } = winner;
+    let Finalist { best, before, after, stop, .. } = winner;
     let (gauge, vertices) = best.gauged(spec);
     let points = best.points(gauge);
     let slider = slider_limits(&best.scales, gauge.scale, DEFAULT_RANGE);

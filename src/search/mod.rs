@@ -19,6 +19,6 @@ pub use gauge::{Gauge, KeepPlace, KeepSize};
 pub use inherit::inherit;
 pub use objective::{Evaluation, Objective, ObjectiveError};
 pub use preset::{ImagePlan, Preset};
-pub use run::{Found, Generation, search};
+pub use run::{Found, Generation, Start, search};
 pub use space::{SCALE_RANGE, SearchSpace, SpaceError};
 pub use target::Target;

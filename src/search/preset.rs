@@ -42,7 +42,9 @@ pub struct Preset {
     pub sigma: f64,
     /// Whether later split counts start from the best so far ([`super::inherit`]) instead of from scratch.
     pub inherit: bool,
-    /// Generations at most, a split count.
+    /// Further searches, from scratch and with wide steps, as long as the prompt is not clear of its rivals.
+    pub restarts: usize,
+    /// Generations at most, a search.
     pub max_generations: usize,
     /// Stops when the loss changes less than this.
     pub tol_fun: f64,
@@ -67,6 +69,7 @@ impl Preset {
         population: (12.0, 9.0),
         sigma: 1.0,
         inherit: false,
+        restarts: 0,
         max_generations: 80,
         tol_fun: 1e-4,
         images: ImagePlan::All,
@@ -84,10 +87,11 @@ impl Preset {
         population: (4.0, 3.5),
         sigma: 0.5,
         inherit: true,
+        restarts: 1,
         max_generations: 36,
         tol_fun: 1e-4,
         images: ImagePlan::InTurn,
-        rival_weight: 0.5,
+        rival_weight: 1.0,
         comparison_weight: 1.0,
         effort_weight: 0.05,
         footing: true,

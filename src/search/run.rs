@@ -32,7 +32,18 @@ pub struct Found {
     pub stop: StopReason,
 }
 
-/// Minimises the objective's loss over a space from the `start`, a row of scale factors a parameter row. A
+/// Where a search starts.
+#[derive(Debug, Clone)]
+pub struct Start {
+    /// Scale factors, a row a parameter row.
+    pub scales: Vec<Vec3>,
+    /// First step size, in units of the search variable.
+    pub sigma: f64,
+    /// Seed of the random numbers.
+    pub seed: u64,
+}
+
+/// Minimises the objective's loss over a space from the `start`. A
 /// `footing` levels the feet of every candidate before it is evaluated. `each_generation` may end the search
 /// with its own error.
 pub fn search<E: From<SearchError> + From<ObjectiveError>>(
@@ -40,21 +51,20 @@ pub fn search<E: From<SearchError> + From<ObjectiveError>>(
     space: &SearchSpace,
     footing: Option<&Footing>,
     preset: &Preset,
-    start: &[Vec3],
-    seed: u64,
+    start: &Start,
     mut each_generation: impl FnMut(&Generation<'_>) -> Result<(), E>,
 ) -> Result<Found, E> {
     let mut cma = CmaEs::new(CmaEsOptions {
-        start: space.point(start),
-        sigma: preset.sigma,
+        start: space.point(&start.scales),
+        sigma: start.sigma,
         bounds: space.bounds(),
         population: Some(preset.population(space.dimensions())),
-        seed,
+        seed: start.seed,
         max_generations: preset.max_generations,
         tol_fun: preset.tol_fun,
         ..CmaEsOptions::default()
     })?;
-    let mut best = (f64::INFINITY, f64::NEG_INFINITY, vec![Vec3::ONE; start.len()]);
+    let mut best = (f64::INFINITY, f64::NEG_INFINITY, vec![Vec3::ONE; start.scales.len()]);
     loop {
         let mut candidates: Vec<Vec<Vec3>> = cma.ask().iter().map(|x| space.scales(x)).collect();
         if let Some(footing) = footing {
