@@ -9,6 +9,8 @@ use super::outcome::{Best, Outcome, Stage};
 use super::progress::Harness;
 use super::{JobError, JobSpec};
 use crate::boxdef::BoxDefGraph;
+use crate::mesh::Mesh;
+use crate::metrics;
 use crate::render::{self, View};
 use crate::report::{GuideRecord, Report};
 use crate::search::{
@@ -18,6 +20,12 @@ use crate::spectrum::{DEFAULT_RANGE, slider_limits};
 
 /// Between the seeds of searches of the same boxes; far from the small seeds that people choose.
 const AGAIN: u64 = 0x9e37_79b9;
+
+/// Share of the triangles that an outcome may have crossing over those of the mesh.
+const CROSSED: f64 = 0.015;
+
+/// Triangles up to which outcomes are asked whether they cross themselves.
+const MEASURED: usize = 200_000;
 
 /// First step size of a restart, in units of the search variable.
 const WIDE: f64 = 1.0;
@@ -29,6 +37,8 @@ struct Finalist {
     after: Evaluation,
     /// Whether it is another shape than what was given.
     improved: bool,
+    /// Whether it crosses itself hardly more than the mesh did.
+    sound: bool,
     stop: StopReason,
 }
 
@@ -68,7 +78,8 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
         keep_better(&mut winner, finalist);
     }
     for restart in 1..=spec.preset.restarts {
-        let (Some(stage), Some(true)) = (stages.last(), winner.as_ref().map(|w| w.after.rivalry > 0.0))
+        let (Some(stage), Some(true)) =
+            (stages.last(), winner.as_ref().map(|w| w.after.rivalry > 0.0 || !w.sound))
         else {
             break;
         };
@@ -107,9 +118,21 @@ fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError
     Ok(stages)
 }
 
-/// Keeps the outcome of greater worth, and any before none.
+/// Whether positions cross each other hardly more than the mesh itself does; not asked of very large meshes,
+/// where it would take longer than the search.
+fn is_sound(mesh: &Mesh, positions: &[Vec3]) -> bool {
+    if mesh.triangles().len() > MEASURED {
+        return true;
+    }
+    let ratio = |positions| metrics::self_intersection_ratio(mesh, positions);
+    matches!((ratio(positions), ratio(mesh.vertices())), (Ok(after), Ok(before)) if after <= before + CROSSED)
+}
+
+/// Keeps a sound outcome before one that crosses itself, then the one of greater worth; and any before none.
 fn keep_better(winner: &mut Option<Finalist>, finalist: Finalist) {
-    let better = |w: &Finalist| (finalist.improved, finalist.after.worth()) > (w.improved, w.after.worth());
+    let better = |w: &Finalist| {
+        (finalist.improved, finalist.sound, finalist.after.worth()) > (w.improved, w.sound, w.after.worth())
+    };
     if winner.as_ref().is_none_or(better) {
         *winner = Some(finalist);
     }
@@ -166,17 +189,24 @@ fn search_stage(
         })?;
     spent.generations += found.generations;
     spent.evaluations += found.evaluations;
-    let after = objective.evaluate(std::slice::from_ref(&found.scales), ImagePlan::All)?[0];
-    spent.evaluations += 1;
+    // Where what the loss likes best is no more like the prompt, the candidate most like it.
+    let finalists = [found.scales, found.highest];
+    let judged = objective.evaluate(&finalists, ImagePlan::All)?;
+    spent.evaluations += judged.len();
     spent.images += objective.images_encoded();
     spent.renderer = objective.backend_name();
-    // The unchanged object competes too: an outcome is never worse than what was given.
-    // Where a comparative asks for more than the pictures reward, the score may fall.
-    let asked = after.shortfall < before.shortfall;
-    let improved = after.score > before.score || (asked && after.worth() >= before.worth());
-    let (scales, after) = if improved { (found.scales, after) } else { (unchanged, before) };
+    // The unchanged object competes too: an outcome is never worse than what was given. Only where a
+    // comparative asks for more than the pictures reward, the score may fall.
+    let improves = |after: &Evaluation| {
+        let asked = after.shortfall < before.shortfall && after.worth() >= before.worth();
+        asked || after.score > before.score
+    };
+    let better = judged.iter().zip(finalists).find(|(after, _)| improves(after));
+    let improved = better.is_some();
+    let (after, scales) = better.map_or((before, unchanged), |(after, scales)| (*after, scales));
     let best = Best { score: after.score, scales, stage: stage.clone() };
-    Ok(Finalist { best, before, after, improved, stop: found.stop })
+    let sound = is_sound(&spec.mesh, &stage.field.deform(&best.scales));
+    Ok(Finalist { best, before, after, improved, sound, stop: found.stop })
 }
 
 fn outcome(spec: &JobSpec, harness: &Harness, winner: Finalist, spent: Spent) -> Outcome {

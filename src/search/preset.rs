@@ -42,7 +42,8 @@ pub struct Preset {
     pub sigma: f64,
     /// Whether later split counts start from the best so far ([`super::inherit`]) instead of from scratch.
     pub inherit: bool,
-    /// Further searches, from scratch and with wide steps, as long as the prompt is not clear of its rivals.
+    /// Further searches, from scratch and with wide steps, as long as the prompt is not clear of its rivals or the
+    /// outcome crosses itself.
     pub restarts: usize,
     /// Generations at most, a search.
     pub max_generations: usize,

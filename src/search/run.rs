@@ -24,6 +24,8 @@ pub struct Generation<'a> {
 pub struct Found {
     /// Scale factors of least loss.
     pub scales: Vec<Vec3>,
+    /// Scale factors of the highest score, whatever their loss.
+    pub highest: Vec<Vec3>,
     /// Generations done.
     pub generations: usize,
     /// Candidates evaluated.
@@ -65,6 +67,7 @@ pub fn search<E: From<SearchError> + From<ObjectiveError>>(
         ..CmaEsOptions::default()
     })?;
     let mut best = (f64::INFINITY, f64::NEG_INFINITY, vec![Vec3::ONE; start.scales.len()]);
+    let mut highest = (f64::NEG_INFINITY, best.2.clone());
     loop {
         let mut candidates: Vec<Vec<Vec3>> = cma.ask().iter().map(|x| space.scales(x)).collect();
         if let Some(footing) = footing {
@@ -77,6 +80,9 @@ pub fn search<E: From<SearchError> + From<ObjectiveError>>(
             if evaluation.loss < best.0 {
                 best = (evaluation.loss, evaluation.score, scales.clone());
             }
+            if evaluation.score > highest.0 {
+                highest = (evaluation.score, scales.clone());
+            }
         }
         let losses: Vec<f64> = evaluations.iter().map(|e| e.loss).collect();
         cma.tell(&losses)?;
@@ -88,7 +94,7 @@ pub fn search<E: From<SearchError> + From<ObjectiveError>>(
         })?;
         if let Some(stop) = cma.stop_reason() {
             let (generations, evaluations) = (cma.generation(), cma.evaluations());
-            return Ok(Found { scales: best.2, generations, evaluations, stop });
+            return Ok(Found { scales: best.2, highest: highest.1, generations, evaluations, stop });
         }
     }
 }
