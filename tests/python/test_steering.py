@@ -60,5 +60,5 @@ def test_reference_shapes_become_what_they_are_told(which, reference, guide):
         assert boxmorph.metrics.normal_error(mesh, outcome.vertices) < 0.15, what
         assert boxmorph.metrics.self_intersection_ratio(mesh, outcome.vertices) <= broken + 0.02, what
         first.append(ranking(guide, outcome.vertices, triangles)[0] == prompt)
-    # Nine in ten: a desk with two feet makes no nightstand.
+    # One may miss: a desk with two feet makes no nightstand.
     assert sum(first) >= len(first) - 1, list(zip(PROMPTS[shape["category"]], first, strict=True))
