@@ -86,8 +86,8 @@ class BoxDefGraph:
         """The field B, (3, P, n): V_a(c) = V_a + sum over p of (c[p, a] - 1) B[a, p]."""
 
 def own_turn(mesh: Mesh) -> float:
-    """The angle about z, in radians from -pi/4 to pi/4, by which to turn a mesh so that its own axes lie along
-    x and y, where boxes are cut; 0 where they do. A Job takes its mesh as it lies.
+    """The angle about z, in radians, by which to turn a mesh so that its own axes lie along x and y, where
+    boxes are cut: from -pi/4 to pi/4, 0 where they do. A Job takes its mesh as it lies.
     """
 
 class Guide:
