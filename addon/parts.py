@@ -23,6 +23,10 @@ from mathutils import Vector
 from . import engine, mesh_io
 from .errors import Refusal
 
+#: Blender 4.2 as a Python module crashes when it ends if lists or properties with callbacks of ours are
+#: registered. It has no interface that would need them.
+OLD_MODULE = not bpy.app.binary_path and bpy.app.version < (4, 3, 0)
+
 #: Splits where the user leaves their number to us.
 AUTOMATIC_SPLITS = 4
 

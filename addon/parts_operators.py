@@ -102,5 +102,6 @@ classes = (
     BOXMORPH_OT_forget_parts,
     BOXMORPH_OT_lock_part,
     BOXMORPH_OT_refine,
-    BOXMORPH_UL_parts,
 )
+if not parts.OLD_MODULE:
+    classes = (*classes, BOXMORPH_UL_parts)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The parts in the viewport: boxes in the colors of the list, joined by the edges of the tree."""
+"""The parts in the viewport: boxes in the colors of the list, joined by the edges of the tree.
+
+The module `gpu` is imported where something is drawn: without a window it is of no use.
+"""
 
 import bpy
-import gpu
 import numpy as np
-from gpu_extras.batch import batch_for_shader
 from mathutils import Matrix
 
 from . import parts
@@ -34,6 +35,8 @@ def unregister_view():
 
 
 def _draw():
+    import gpu
+
     context = bpy.context
     obj = context.active_object
     if not context.scene.boxmorph.show_parts or obj is None or not context.space_data.overlay.show_overlays:
@@ -51,6 +54,9 @@ def _draw():
 
 
 def _draw_boxes(kept, boxes):
+    import gpu
+    from gpu_extras.batch import batch_for_shader
+
     faces = gpu.shader.from_builtin("UNIFORM_COLOR")
     # A little out of the surface, which they would else flicker with.
     off = 0.003 * max(max(half) for _center, half, _row in boxes)
@@ -69,6 +75,8 @@ def _draw_boxes(kept, boxes):
 
 
 def _draw_tree(geometry):
+    import gpu
+
     centers = [center for center, _half, _row in geometry["boxes"]]
     ends = [centers[i] for edge in geometry["tree"] for i in edge]
     if ends:
@@ -77,6 +85,9 @@ def _draw_tree(geometry):
 
 
 def _lines(ends, color, width):
+    import gpu
+    from gpu_extras.batch import batch_for_shader
+
     shader = gpu.shader.from_builtin("POLYLINE_UNIFORM_COLOR")
     shader.bind()
     shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])

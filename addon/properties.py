@@ -72,6 +72,9 @@ def _find_again(settings, context):
         parts.find(obj, context, settings.splits, settings.symmetry, settings.parts_collection)
 
 
+_LIVE = {} if parts.OLD_MODULE else {"update": _find_again}
+
+
 class SearchProperties:
     """The properties that the panel and the operator share (a mixin for registered classes)."""
 
@@ -114,14 +117,14 @@ class SearchProperties:
 class BoxmorphSettings(SearchProperties, bpy.types.PropertyGroup):
     """Settings of the panel; one set in each scene."""
 
-    splits: _splits(update=_find_again)
-    symmetry: _symmetry(update=_find_again)
+    splits: _splits(**_LIVE)
+    symmetry: _symmetry(**_LIVE)
     parts_collection: PointerProperty(
         name="Boxes",
         description="A collection of cubes that stand around the parts, to be used as they are; "
         "empty: the parts are found",
         type=bpy.types.Collection,
-        update=_find_again,
+        **_LIVE,
     )
     show_parts: BoolProperty(
         name="Show Parts",

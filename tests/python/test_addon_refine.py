@@ -47,6 +47,7 @@ def mushroom():
         group.add([vertex.index], vertex.co.z / 1.2, "REPLACE")
     obj.shape_key_add(name="Basis")
     key = obj.shape_key_add(name="Lean")
+    key.value = 0.0  # Blender 5 makes new keys at 1
     for point in key.points:
         point.co.x += point.co.z
     bpy.ops.boxmorph.find_parts()
