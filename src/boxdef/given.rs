@@ -4,7 +4,6 @@
 use glam::{DVec3, Vec3};
 
 use super::boxes::PartBox;
-use super::error::BoxDefError;
 use super::frame::{CELL, Frame};
 use super::occupancy::{CellBox, Occupancy};
 use super::parts::{MID, NEG, POS};
@@ -12,27 +11,6 @@ use super::symmetry::mirrored;
 
 /// How far a given box may be, in units of the frame, from the mirror image of its twin.
 const SAME_BOX: f64 = 2.0 * CELL;
-
-/// Whether there are boxes, a half size for each, and all of them are finite and not inside out.
-pub(crate) fn check(center: &[Vec3], half_size: &[Vec3]) -> Result<(), BoxDefError> {
-    if center.is_empty() {
-        return Err(BoxDefError::NoBoxes);
-    }
-    let (found, expected) = (half_size.len(), center.len());
-    if found != expected {
-        let why = "one for each row of box_center";
-        return Err(BoxDefError::Length { name: "box_half_size", found, expected, why });
-    }
-    for (name, rows) in [("box_center", center), ("box_half_size", half_size)] {
-        if let Some(row) = rows.iter().position(|v| !v.is_finite()) {
-            return Err(BoxDefError::NotFinite { name, row });
-        }
-    }
-    match half_size.iter().position(|v| v.min_element() < 0.0) {
-        Some(row) => Err(BoxDefError::NegativeSize { row }),
-        None => Ok(()),
-    }
-}
 
 /// All mid boxes, then all pos boxes, then their neg twins in the same order, and the symmetry axis: the one
 /// asked for if every box is its own mirror image or has a twin, else none.
@@ -100,7 +78,7 @@ fn twins(boxes: &[(DVec3, DVec3)], axis: usize) -> Option<Vec<usize>> {
     (0..boxes.len()).all(|b| twins[twins[b]] == b).then_some(twins)
 }
 
-/// The cells whose centres a box holds; at least one.
+/// The cells from that of a box's low corner to that of its high corner.
 fn domain(occupancy: &Occupancy, low: DVec3, high: DVec3) -> CellBox {
     let (low, high) = (occupancy.cell_of(low), occupancy.cell_of(high));
     CellBox { low, high: std::array::from_fn(|axis| high[axis].max(low[axis]) + 1) }

@@ -10,10 +10,10 @@ use super::connect::connect;
 use super::error::BoxDefError;
 use super::field::DeformField;
 use super::frame::Frame;
-use super::given;
+use super::given::given_boxes;
 use super::islands::{islands, places};
 use super::occupancy::Occupancy;
-use super::parts::Parts;
+use super::parts::{Parts, check_boxes};
 use super::propagate::Propagation;
 use super::split::split;
 use super::symmetry::{self, MirrorMap, Symmetry};
@@ -76,10 +76,10 @@ impl BoxDefGraph {
         symmetry: Symmetry,
         boundary: Boundary,
     ) -> Result<Self, BoxDefError> {
-        given::check(center, half_size)?;
+        check_boxes(center, half_size)?;
         let ground = Ground::of(mesh);
         let axis = symmetry::resolve(symmetry, &ground.occupancy);
-        let (boxes, axis) = given::given_boxes(center, half_size, ground.frame, &ground.occupancy, axis);
+        let (boxes, axis) = given_boxes(center, half_size, ground.frame, &ground.occupancy, axis);
         Ok(Self::of_boxes(mesh, &ground, boxes, axis, boundary))
     }
 

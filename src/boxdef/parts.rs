@@ -40,15 +40,11 @@ pub struct Parts {
 impl Parts {
     /// Checks everything that the deformation relies on.
     pub(crate) fn check(&self, vertex_count: usize) -> Result<(), BoxDefError> {
+        check_boxes(&self.box_center, &self.box_half_size)?;
         let boxes = self.box_center.len();
-        if boxes == 0 {
-            return Err(BoxDefError::NoBoxes);
-        }
-        let per_box = "one for each row of box_center";
         let per_tree_edge = "one less than there are boxes";
         for (name, found, expected, why) in [
-            ("box_half_size", self.box_half_size.len(), boxes, per_box),
-            ("box_side", self.box_side.len(), boxes, per_box),
+            ("box_side", self.box_side.len(), boxes, PER_BOX),
             ("assignment", self.assignment.len(), vertex_count, "one for each vertex of the mesh"),
             ("tree_edges", self.tree_edges.len(), boxes - 1, per_tree_edge),
             ("tree_parent_point", self.tree_parent_point.len(), boxes - 1, per_tree_edge),
@@ -58,19 +54,8 @@ impl Parts {
                 return Err(BoxDefError::Length { name, found, expected, why });
             }
         }
-        for (name, rows) in [
-            ("box_center", &self.box_center),
-            ("box_half_size", &self.box_half_size),
-            ("tree_parent_point", &self.tree_parent_point),
-            ("tree_child_point", &self.tree_child_point),
-        ] {
-            if let Some(row) = rows.iter().position(|v| !v.is_finite()) {
-                return Err(BoxDefError::NotFinite { name, row });
-            }
-        }
-        if let Some(row) = self.box_half_size.iter().position(|v| v.min_element() < 0.0) {
-            return Err(BoxDefError::NegativeSize { row });
-        }
+        check_finite("tree_parent_point", &self.tree_parent_point)?;
+        check_finite("tree_child_point", &self.tree_child_point)?;
         self.check_sides()?;
         check_indices("assignment", boxes, self.assignment.iter().map(|&i| [i, i]))?;
         check_indices("tree_edges", boxes, self.tree_edges.iter().copied())?;
@@ -126,6 +111,33 @@ impl Parts {
                 *next - 1
             })
             .collect()
+    }
+}
+
+/// Why arrays must be as long as `box_center`.
+const PER_BOX: &str = "one for each row of box_center";
+
+/// Whether there are boxes, a half size for each, and all of them are finite and not inside out.
+pub(crate) fn check_boxes(center: &[Vec3], half_size: &[Vec3]) -> Result<(), BoxDefError> {
+    if center.is_empty() {
+        return Err(BoxDefError::NoBoxes);
+    }
+    let (found, expected) = (half_size.len(), center.len());
+    if found != expected {
+        return Err(BoxDefError::Length { name: "box_half_size", found, expected, why: PER_BOX });
+    }
+    check_finite("box_center", center)?;
+    check_finite("box_half_size", half_size)?;
+    match half_size.iter().position(|v| v.min_element() < 0.0) {
+        Some(row) => Err(BoxDefError::NegativeSize { row }),
+        None => Ok(()),
+    }
+}
+
+fn check_finite(name: &'static str, rows: &[Vec3]) -> Result<(), BoxDefError> {
+    match rows.iter().position(|v| !v.is_finite()) {
+        Some(row) => Err(BoxDefError::NotFinite { name, row }),
+        None => Ok(()),
     }
 }
 

@@ -32,9 +32,9 @@ pub enum JobError {
     /// The graph belongs to another mesh.
     #[error("the graph was built from a mesh of other vertices; build it from this one")]
     OtherMesh,
-    /// A graph and a number of splits were given.
-    #[error("a graph has its parts already; give either the graph or the number of splits")]
-    GraphAndSplits,
+    /// A graph was given, and how to make one.
+    #[error("a graph has its parts and boundary already; give either the graph, or splits and boundary")]
+    GraphAndParts,
     /// Locks without the graph whose rows they name.
     #[error("locked names the parameter rows of a graph; give that graph too")]
     LocksWithoutGraph,

@@ -5,6 +5,7 @@ mod error;
 mod outcome;
 mod progress;
 mod run;
+mod soundness;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex};
@@ -90,7 +91,9 @@ impl Job {
             return Err(JobError::BadPoints);
         }
         match &spec.graph {
-            Some(_) if spec.splits.is_some() => return Err(JobError::GraphAndSplits),
+            Some(_) if spec.splits.is_some() || spec.boundary.is_some() => {
+                return Err(JobError::GraphAndParts);
+            }
             Some(graph) if graph.field().rest() != spec.mesh.vertices() => return Err(JobError::OtherMesh),
             None if spec.locked.is_some() => return Err(JobError::LocksWithoutGraph),
             _ => {}

@@ -31,6 +31,11 @@ impl Stage {
         let points_field = points.map(|points| graph.field_at(points)).transpose()?;
         Ok(Self { splits, graph, field, points_field })
     }
+
+    /// Scale factors that change nothing.
+    pub fn unchanged(&self) -> Vec<Vec3> {
+        vec![Vec3::ONE; self.graph.parameter_rows()]
+    }
 }
 
 /// A candidate worth showing.

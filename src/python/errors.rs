@@ -69,7 +69,7 @@ impl IntoPyErr for JobError {
             Self::BoxDef(_)
             | Self::BadPoints
             | Self::OtherMesh
-            | Self::GraphAndSplits
+            | Self::GraphAndParts
             | Self::LocksWithoutGraph
             | Self::Space(_) => PyValueError::new_err(self.to_string()),
             error => PyRuntimeError::new_err(error.to_string()),

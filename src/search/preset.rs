@@ -45,6 +45,9 @@ pub struct Preset {
     /// Further searches, from scratch and with wide steps, as long as the prompt is not clear of its rivals or the
     /// outcome crosses itself.
     pub restarts: usize,
+    /// Share of the triangles that may cross others in an outcome over those of the mesh; one that has more is
+    /// kept only for want of another.
+    pub max_crossing: Option<f64>,
     /// Generations at most, a search.
     pub max_generations: usize,
     /// Stops when the loss changes less than this.
@@ -71,6 +74,7 @@ impl Preset {
         sigma: 1.0,
         inherit: false,
         restarts: 0,
+        max_crossing: None,
         max_generations: 80,
         tol_fun: 1e-4,
         images: ImagePlan::All,
@@ -89,6 +93,7 @@ impl Preset {
         sigma: 0.5,
         inherit: true,
         restarts: 1,
+        max_crossing: Some(0.015),
         max_generations: 36,
         tol_fun: 1e-4,
         images: ImagePlan::InTurn,

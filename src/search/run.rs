@@ -45,9 +45,8 @@ pub struct Start {
     pub seed: u64,
 }
 
-/// Minimises the objective's loss over a space from the `start`. A
-/// `footing` levels the feet of every candidate before it is evaluated. `each_generation` may end the search
-/// with its own error.
+/// Minimises the objective's loss over a space from the `start`. A `footing` levels the feet of every candidate
+/// before it is evaluated. `each_generation` may end the search with its own error.
 pub fn search<E: From<SearchError> + From<ObjectiveError>>(
     objective: &mut Objective<'_>,
     space: &SearchSpace,

@@ -91,7 +91,9 @@ def test_the_footprint_can_be_kept(parts, guide):
         ({"scale_range": (0.0, 3.0)}, "the range of scale factors is 0 to 3"),
         ({"scale_range": (1.0, 1.0)}, "the range of scale factors is 1 to 1"),
         ({"scale_range": (0.5, float("nan"))}, "the range of scale factors is 0.5 to NaN"),
-        ({"splits": 3}, "either the graph or the number of splits"),
+        ({"splits": 3}, "either the graph, or splits and boundary"),
+        ({"boundary": "paper"}, "either the graph, or splits and boundary"),
+        ({"boundary": "sharp"}, "unknown boundary \"sharp\""),
         ({"graph": None, "locked": np.zeros((1, 3), bool)}, "give that graph too"),
     ],
 )
