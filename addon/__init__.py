@@ -6,13 +6,24 @@ The work is done by the Rust module `boxmorph`, which is imported at first use a
 
 import bpy
 
-from . import command, operators, panels, parts, parts_operators, parts_view, preferences, properties
+from . import (
+    command,
+    outcome_operators,
+    panels,
+    parts,
+    parts_operators,
+    parts_view,
+    preferences,
+    properties,
+    search_operators,
+)
 
 _classes = (
     preferences.classes
     + parts.classes
     + properties.classes
-    + operators.classes
+    + search_operators.classes
+    + outcome_operators.classes
     + parts_operators.classes
     + panels.classes
 )
@@ -29,7 +40,7 @@ def register():
 
 
 def unregister():
-    operators.stop_running()
+    search_operators.stop_running()
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())
     parts_view.unregister_view()

@@ -15,9 +15,10 @@ import tempfile
 import bpy
 import numpy as np
 
-from . import engine, images, keyframes, operators, parts
+from . import engine, images, keyframes, parts
 from .errors import Refusal
 from .preferences import RENDERERS
+from .progress import progress_text
 from .properties import KEEP_SIZE, PRESETS, SPLITS, SYMMETRY
 from .search import Search
 
@@ -278,7 +279,7 @@ class _Printer:
         step = (progress["phase"], int(progress["fraction"] * 10))
         if step != self._last:
             self._last = step
-            print(f"boxmorph: {progress['fraction']:4.0%}  {operators.progress_text(progress)}", flush=True)
+            print(f"boxmorph: {progress['fraction']:4.0%}  {progress_text(progress)}", flush=True)
 
 
 def _seed(text):

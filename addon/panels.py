@@ -7,8 +7,9 @@ import bpy
 
 from . import shape_key
 from .images import VIEWS_IMAGE
-from .operators import progress_parts, running_progress
 from .preferences import preferences
+from .progress import progress_parts
+from .search_operators import running_progress
 
 
 class _Sidebar:

@@ -22,6 +22,7 @@ from mathutils import Vector
 
 from . import engine, mesh_io
 from .errors import Refusal
+from .redraw import redraw_viewports
 
 #: Blender 4.2 as a Python module crashes when it ends if lists or properties with callbacks of ours are
 #: registered. It has no interface that would need them.
@@ -118,7 +119,7 @@ def find(obj, context, splits, symmetry, boxes=None):
     kept.splits, kept.symmetry = found.splits, symmetry
     kept.coarse = coarse_faces(arrays.vertices, arrays.triangles, found.graph)
     kept.geometry = json.dumps(geometry)
-    redraw(context)
+    redraw_viewports()
 
 
 def given_boxes(obj, collection, place):
@@ -229,14 +230,6 @@ def coarse_faces(vertices, triangles, graph):
 def reach(positions):
     """Return half the diagonal of the bounding box of positions (n,3)."""
     return float(np.linalg.norm(np.ptp(positions, axis=0))) / 2 if len(positions) else 0.0
-
-
-def redraw(context):
-    """Have the 3D viewports drawn again: what changed is no data that they show by themselves."""
-    for window in context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == "VIEW_3D":
-                area.tag_redraw()
 
 
 classes = (BoxmorphPart, BoxmorphParts)

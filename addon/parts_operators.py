@@ -6,6 +6,7 @@ from bpy.props import IntProperty
 
 from . import parts, refine
 from .errors import Refusal
+from .redraw import redraw_viewports
 
 
 class BOXMORPH_OT_find_parts(bpy.types.Operator):
@@ -37,7 +38,7 @@ class BOXMORPH_OT_forget_parts(bpy.types.Operator):
 
     def execute(self, context):
         parts.forget(context.active_object)
-        parts.redraw(context)
+        redraw_viewports()
         return {"FINISHED"}
 
 

@@ -93,7 +93,7 @@ def test_the_footprint_can_be_kept(parts, guide):
         ({"scale_range": (0.5, float("nan"))}, "the range of scale factors is 0.5 to NaN"),
         ({"splits": 3}, "either the graph, or splits and boundary"),
         ({"boundary": "paper"}, "either the graph, or splits and boundary"),
-        ({"boundary": "sharp"}, "unknown boundary \"sharp\""),
+        ({"boundary": "sharp"}, 'unknown boundary "sharp"'),
         ({"graph": None, "locked": np.zeros((1, 3), bool)}, "give that graph too"),
     ],
 )

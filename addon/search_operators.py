@@ -1,33 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The operators: deform to a prompt, cancel, keyframe the spectrum, remove an outcome, show the views."""
+"""The operators that search: deform to a prompt, and cancel."""
 
 import bpy
 from bpy.app.handlers import persistent
-from bpy.props import FloatProperty, IntProperty, StringProperty
 
-from . import engine, images, keyframes, mesh_io, shape_key
 from .errors import Refusal
-from .preferences import preferences
+from .progress import progress_text
 from .properties import SearchProperties
+from .redraw import redraw_panels
 from .search import Search
 
 _TICK_SECONDS = 0.1
 
 #: Events that push no undo step.
 _NAVIGATION = frozenset(("MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "WHEELINMOUSE", "WHEELOUTMOUSE"))
-
-
-#: What the panel's settings and the operator's arguments say about a search.
-_CHOICES = (
-    "prompt",
-    "preset",
-    "seed",
-    "splits",
-    "symmetry",
-    "keep_size",
-    "least_scale",
-    "greatest_scale",
-)
 
 
 class _Running:
@@ -152,7 +138,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         settings = context.scene.boxmorph
         chosen = {
             name: getattr(self if self.properties.is_property_set(name) else settings, name)
-            for name in _CHOICES
+            for name in SearchProperties.__annotations__
         }
         search = Search(context, context.active_object, **chosen)
         for note in search.notes():
@@ -233,144 +219,6 @@ class BOXMORPH_OT_cancel(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class _OnOutcome:
-    """Shared by operators on one outcome of the active object, named by `key`, else the active shape key."""
-
-    key: StringProperty(
-        name="Shape Key", description="Name of the outcome; empty: the active one", options={"HIDDEN"}
-    )
-
-    @classmethod
-    def poll(cls, context):
-        obj = context.active_object
-        if obj is None or obj.type != "MESH" or not shape_key.records(obj.data):
-            cls.poll_message_set("The active object has no outcome yet. Deform it to a prompt first")
-            return False
-        return True
-
-    def outcome(self, context):
-        """Return the active object, checked, and the key that is meant."""
-        obj = mesh_io.deformable(context.active_object)
-        name = self.key or (obj.active_shape_key.name if obj.active_shape_key else "")
-        made = shape_key.records(obj.data)
-        if name not in made:
-            if self.key:
-                raise Refusal(f"“{obj.name}” has no outcome named “{self.key}”")
-            name = list(made)[-1]
-        return obj, obj.data.shape_keys.key_blocks[name]
-
-
-class BOXMORPH_OT_keyframe_spectrum(_OnOutcome, bpy.types.Operator):
-    """Animate the outcome: keyframe its value from one frame to another, linearly"""
-
-    bl_idname = "boxmorph.keyframe_spectrum"
-    bl_label = "Keyframe Spectrum"
-    bl_options = {"REGISTER", "UNDO"}
-
-    frame_from: IntProperty(name="From Frame", default=1)
-    frame_to: IntProperty(name="To Frame", default=60)
-    alpha_from: FloatProperty(name="From Value", default=0.0)
-    alpha_to: FloatProperty(name="To Value", default=1.0)
-
-    def invoke(self, context, _event):
-        settings = context.scene.boxmorph
-        for name in ("frame_from", "frame_to", "alpha_from", "alpha_to"):
-            if not self.properties.is_property_set(name):
-                setattr(self, name, getattr(settings, name))
-        return self.execute(context)
-
-    def execute(self, context):
-        try:
-            _obj, key = self.outcome(context)
-            keyframes.keyframe_spectrum(key, self.frame_from, self.frame_to, self.alpha_from, self.alpha_to)
-        except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
-        context.scene.frame_set(context.scene.frame_current)
-        return {"FINISHED"}
-
-
-class BOXMORPH_OT_remove_outcome(_OnOutcome, bpy.types.Operator):
-    """Delete the outcome: its shape key, its record and its animation"""
-
-    bl_idname = "boxmorph.remove_outcome"
-    bl_label = "Remove Outcome"
-    bl_options = {"REGISTER", "UNDO"}
-
-    def execute(self, context):
-        try:
-            obj, key = self.outcome(context)
-            shape_key.remove_outcome(obj, key.name)
-        except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
-        return {"FINISHED"}
-
-
-class BOXMORPH_OT_show_views(bpy.types.Operator):
-    """Render the four views that the guide sees of the active object as it is now, as the image Boxmorph
-    Views
-    """
-
-    bl_idname = "boxmorph.show_views"
-    bl_label = "Show Views"
-    bl_options = {"REGISTER"}
-
-    def execute(self, context):
-        try:
-            obj = context.active_object
-            if obj is None or obj.type != "MESH":
-                raise Refusal("There is no active mesh object to view. Select one")
-            boxmorph = engine.library()
-            vertices, triangles = mesh_io.shown_arrays(obj, context)
-            try:
-                row = images.render_row(boxmorph, vertices, triangles, renderer=preferences().renderer)
-            except (boxmorph.RenderError, ValueError) as error:
-                raise Refusal(engine.sentence(error)) from error
-        except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
-        half = row.shape[1] // 2
-        image = images.show(images.stack([row[:, :half], row[:, half:]]))
-        for window in context.window_manager.windows:
-            for area in window.screen.areas:
-                if area.type == "IMAGE_EDITOR" and area.spaces.active.mode == "VIEW":
-                    area.spaces.active.image = image
-        redraw_panels()
-        return {"FINISHED"}
-
-
-def progress_parts(progress):
-    """Return progress in words: the phase, how far it is, and the time left; the latter two may be empty."""
-    done = []
-    if progress["generation"]:
-        total = f" of {progress['generations']}" if progress["generations"] else ""
-        done.append(f"Generation {progress['generation']}{total}")
-    if progress["best_score"] is not None:
-        done.append(f"score {progress['best_score']:.3f}")
-    left = progress["seconds_left"]
-    if left is None:
-        left = ""
-    else:
-        left = f"{left:.0f} s left" if left < 100 else f"{left / 60:.0f} min left"
-    return progress["phase"].capitalize(), ", ".join(done), left
-
-
-def progress_text(progress):
-    """Return progress in one line."""
-    return "   ".join(part for part in progress_parts(progress) if part)
-
-
-def redraw_panels():
-    """Ask for a redraw of the 3D viewports' sidebars in all windows."""
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == "VIEW_3D":
-                for region in area.regions:
-                    if region.type == "UI":
-                        region.tag_redraw()
-
-
 def _undo_handlers():
     return bpy.app.handlers.undo_pre, bpy.app.handlers.redo_pre
 
@@ -389,10 +237,4 @@ def _before_undo(*_):
         search.take_back(obj)
 
 
-classes = (
-    BOXMORPH_OT_deform,
-    BOXMORPH_OT_cancel,
-    BOXMORPH_OT_keyframe_spectrum,
-    BOXMORPH_OT_remove_outcome,
-    BOXMORPH_OT_show_views,
-)
+classes = (BOXMORPH_OT_deform, BOXMORPH_OT_cancel)

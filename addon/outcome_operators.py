@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Operators on what a search has left: keyframe an outcome, remove it, show the views of the object."""
+
+import bpy
+from bpy.props import FloatProperty, IntProperty, StringProperty
+
+from . import engine, images, keyframes, mesh_io, shape_key
+from .errors import Refusal
+from .preferences import preferences
+from .redraw import redraw_panels
+
+
+class _OnOutcome:
+    """Shared by operators on one outcome of the active object, named by `key`, else the active shape key."""
+
+    key: StringProperty(
+        name="Shape Key", description="Name of the outcome; empty: the active one", options={"HIDDEN"}
+    )
+
+    @classmethod
+    def poll(cls, context):
+        obj = context.active_object
+        if obj is None or obj.type != "MESH" or not shape_key.records(obj.data):
+            cls.poll_message_set("The active object has no outcome yet. Deform it to a prompt first")
+            return False
+        return True
+
+    def outcome(self, context):
+        """Return the active object, checked, and the key that is meant."""
+        obj = mesh_io.deformable(context.active_object)
+        name = self.key or (obj.active_shape_key.name if obj.active_shape_key else "")
+        made = shape_key.records(obj.data)
+        if name not in made:
+            if self.key:
+                raise Refusal(f"“{obj.name}” has no outcome named “{self.key}”")
+            name = list(made)[-1]
+        return obj, obj.data.shape_keys.key_blocks[name]
+
+
+class BOXMORPH_OT_keyframe_spectrum(_OnOutcome, bpy.types.Operator):
+    """Animate the outcome: keyframe its value from one frame to another, linearly"""
+
+    bl_idname = "boxmorph.keyframe_spectrum"
+    bl_label = "Keyframe Spectrum"
+    bl_options = {"REGISTER", "UNDO"}
+
+    frame_from: IntProperty(name="From Frame", default=1)
+    frame_to: IntProperty(name="To Frame", default=60)
+    alpha_from: FloatProperty(name="From Value", default=0.0)
+    alpha_to: FloatProperty(name="To Value", default=1.0)
+
+    def invoke(self, context, _event):
+        settings = context.scene.boxmorph
+        for name in ("frame_from", "frame_to", "alpha_from", "alpha_to"):
+            if not self.properties.is_property_set(name):
+                setattr(self, name, getattr(settings, name))
+        return self.execute(context)
+
+    def execute(self, context):
+        try:
+            _obj, key = self.outcome(context)
+            keyframes.keyframe_spectrum(key, self.frame_from, self.frame_to, self.alpha_from, self.alpha_to)
+        except Refusal as refusal:
+            self.report({"ERROR"}, str(refusal))
+            return {"CANCELLED"}
+        context.scene.frame_set(context.scene.frame_current)
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_remove_outcome(_OnOutcome, bpy.types.Operator):
+    """Delete the outcome: its shape key, its record and its animation"""
+
+    bl_idname = "boxmorph.remove_outcome"
+    bl_label = "Remove Outcome"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        try:
+            obj, key = self.outcome(context)
+            shape_key.remove_outcome(obj, key.name)
+        except Refusal as refusal:
+            self.report({"ERROR"}, str(refusal))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_show_views(bpy.types.Operator):
+    """Render the four views that the guide sees of the active object as it is now, as the image Boxmorph
+    Views
+    """
+
+    bl_idname = "boxmorph.show_views"
+    bl_label = "Show Views"
+    bl_options = {"REGISTER"}
+
+    def execute(self, context):
+        try:
+            obj = context.active_object
+            if obj is None or obj.type != "MESH":
+                raise Refusal("There is no active mesh object to view. Select one")
+            boxmorph = engine.library()
+            vertices, triangles = mesh_io.shown_arrays(obj, context)
+            try:
+                row = images.render_row(boxmorph, vertices, triangles, renderer=preferences().renderer)
+            except (boxmorph.RenderError, ValueError) as error:
+                raise Refusal(engine.sentence(error)) from error
+        except Refusal as refusal:
+            self.report({"ERROR"}, str(refusal))
+            return {"CANCELLED"}
+        half = row.shape[1] // 2
+        image = images.show(images.stack([row[:, :half], row[:, half:]]))
+        for window in context.window_manager.windows:
+            for area in window.screen.areas:
+                if area.type == "IMAGE_EDITOR" and area.spaces.active.mode == "VIEW":
+                    area.spaces.active.image = image
+        redraw_panels()
+        return {"FINISHED"}
+
+
+classes = (BOXMORPH_OT_keyframe_spectrum, BOXMORPH_OT_remove_outcome, BOXMORPH_OT_show_views)
