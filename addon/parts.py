@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The parts of an object: found on request, kept with the object, and locked by the user.
 
-A part is one parameter row of the BoxDefGraph: a box, or two that mirror each other and scale alike. What is
+A part is one parameter row of the BoxDefGraph: a box, or two or four that mirror each other and scale alike. What is
 found is kept in `Object.boxmorph`, so that locks survive saving and undo.
 """
 
@@ -201,7 +201,9 @@ def part_names(boxes, count):
         pair = np.ptp(centers[own], axis=0)
         if pair[1] <= 1e-6 and abs(y) > _OFF_CENTER:
             words.append("Back" if y > 0 else "Front")
-        if pair[0] > 1e-6:
+        if pair[0] > 1e-6 and pair[1] > 1e-6:
+            words.append("Corners")
+        elif pair[0] > 1e-6:
             words.append("Sides")
         elif pair[1] > 1e-6:
             words.append("Ends")

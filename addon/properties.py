@@ -31,6 +31,7 @@ SYMMETRY = (
     ("x", "X", "Keep left and right alike"),
     ("y", "Y", "Keep front and back alike"),
     ("z", "Z", "Keep top and bottom alike"),
+    ("xy", "X and Y", "Keep left and right alike, and front and back"),
 )
 
 

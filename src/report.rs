@@ -33,8 +33,8 @@ pub struct Report {
     pub locked: Option<Vec<[bool; 3]>>,
     /// Least and greatest scale factor.
     pub scale_range: [f32; 2],
-    /// The symmetry axis, if any.
-    pub symmetry: Option<String>,
+    /// The symmetry: "x", "y", "z", "xy" or "none".
+    pub symmetry: String,
     /// The boundary step.
     pub boundary: String,
     /// The renderer.

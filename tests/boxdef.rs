@@ -29,7 +29,8 @@ fn some_scales(rows: usize, seed: u32) -> Vec<Vec3> {
 fn a_table_of_islands_has_a_top_and_four_legs() {
     let mesh = table(2).mesh();
     let graph = build(&mesh, 3);
-    assert_eq!(sides(&graph), [1, 2, 2], "a top, two legs on the one side, two on the other");
+    assert_eq!(sides(&graph), [1, 1, 3], "a top, and a leg with three mirror images");
+    assert_eq!((graph.symmetry(), graph.parameter_rows()), (Symmetry::Xy, 2), "four legs scale alike");
     for leg in 1..5 {
         let half = graph.box_half_size()[leg];
         assert!(half.x < 0.06 && half.y < 0.06 && (half.z - 0.35).abs() < 0.02, "leg {leg}: {half}");
@@ -95,9 +96,9 @@ fn what_has_no_parts_stays_whole() {
 }
 
 #[test]
-fn symmetry_is_found_on_x_then_y_and_only_there() {
+fn symmetry_is_found_on_x_and_y_and_only_there() {
     let x_and_y = table(1).mesh();
-    assert_eq!(build(&x_and_y, 2).symmetry(), Symmetry::X);
+    assert_eq!(build(&x_and_y, 2).symmetry(), Symmetry::Xy);
     let turned = chair(1).moved(|p| v(p.y, p.x, p.z)).mesh();
     assert_eq!(build(&turned, 2).symmetry(), Symmetry::Y);
     let on_z = chair(1).moved(|p| v(p.y, p.z, p.x)).mesh();
@@ -134,25 +135,65 @@ fn a_deformation_is_linear_and_crosses_no_axis() {
     }
 }
 
+/// Four posts, apart from each other.
+fn posts() -> Maker {
+    let mut m = Maker::default();
+    m.cuboid(v(0.3, 0.2, 0.0), v(0.4, 0.3, 1.0), 2);
+    m.mirrored(0).mirrored(1)
+}
+
+/// A hub with an arm to each side, of one length along x and of another along y.
+fn cross() -> Maker {
+    let mut m = Maker::default();
+    m.cuboid(v(0.2, -0.06, 0.44), v(1.0, 0.06, 0.56), 3).cuboid(v(-0.06, 0.2, 0.44), v(0.06, 0.7, 0.56), 3);
+    let mut m = m.mirrored(0).mirrored(1);
+    m.cuboid(v(-0.2, -0.2, 0.0), v(0.2, 0.2, 1.0), 4);
+    m
+}
+
 #[test]
-fn a_symmetric_mesh_stays_symmetric_bit_for_bit_and_closed_at_the_plane() {
-    for maker in [chair(2), aeroplane(), table(3)] {
+fn a_symmetric_mesh_stays_symmetric_bit_for_bit_and_closed_at_the_planes() {
+    let cases = [
+        (chair(2), Symmetry::X),
+        (aeroplane(), Symmetry::X),
+        (table(3), Symmetry::Xy),
+        (posts(), Symmetry::Xy),
+        (cross(), Symmetry::Xy),
+    ];
+    for (maker, symmetry) in cases {
         let mesh = maker.mesh();
         let graph = build(&mesh, 5);
-        assert_eq!(graph.symmetry(), Symmetry::X);
+        assert_eq!(graph.symmetry(), symmetry);
         let out = graph.deform(&some_scales(graph.parameter_rows(), 3)).unwrap();
-        let mut pairs = 0;
-        for (i, p) in mesh.vertices().iter().enumerate() {
-            let image = mesh.vertices().iter().position(|q| *q == v(-p.x, p.y, p.z));
-            let Some(j) = image else { continue };
-            assert_eq!(out[j], v(-out[i].x, out[i].y, out[i].z), "vertices {i} and {j}");
-            if p.x == 0.0 {
-                assert!(out[i].x.abs() <= 0.0, "vertex {i} leaves the plane");
+        for &axis in symmetry.axes() {
+            let mirrored = |mut p: Vec3| {
+                p[axis] = -p[axis];
+                p
+            };
+            let mut pairs = 0;
+            for (i, &p) in mesh.vertices().iter().enumerate() {
+                let image = mesh.vertices().iter().position(|&q| q == mirrored(p));
+                let Some(j) = image else { continue };
+                assert_eq!(out[j], mirrored(out[i]), "vertices {i} and {j}");
+                if p[axis] == 0.0 {
+                    assert!(out[i][axis].abs() <= 0.0, "vertex {i} leaves the plane");
+                }
+                pairs += 1;
             }
-            pairs += 1;
+            assert!(pairs > mesh.vertices().len() * 9 / 10, "the mesh is its own mirror image");
         }
-        assert!(pairs > mesh.vertices().len() * 9 / 10, "the mesh is its own mirror image");
     }
+}
+
+#[test]
+fn what_mirrors_about_two_planes_shares_its_parameters_four_times() {
+    let posts = build(&posts().mesh(), 4);
+    assert_eq!((sides(&posts), posts.parameter_rows()), ([0, 1, 3], 1), "a post and three images");
+    let cross = build(&cross().mesh(), 4);
+    assert_eq!((sides(&cross), cross.parameter_rows()), ([1, 2, 2], 3), "a hub, two arms twice");
+    // One axis is enough where one is asked for.
+    let table = BoxDefGraph::build(&table(2).mesh(), 3, Symmetry::X, Boundary::Smooth).unwrap();
+    assert_eq!((sides(&table), table.parameter_rows()), ([1, 2, 2], 3));
 }
 
 /// A hammer of one piece: a head across the end of a handle.
@@ -314,6 +355,28 @@ fn given_boxes_are_paired_where_they_mirror_each_other() {
 }
 
 #[test]
+fn given_boxes_are_paired_about_both_axes() {
+    let mesh = table(2).mesh();
+    let found = build(&mesh, 3);
+    let give = |center: &[Vec3], half: &[Vec3]| {
+        BoxDefGraph::from_boxes(&mesh, center, half, Symmetry::Auto, Boundary::Smooth).unwrap()
+    };
+    let given = give(found.box_center(), found.box_half_size());
+    assert_eq!((given.symmetry(), given.parameter_rows()), (Symmetry::Xy, 2));
+    assert_eq!(given.assignment(), found.assignment());
+    // Two boxes in one: the legs of one side. What is left of the symmetry is that about the other axis.
+    let mut center = found.box_center().to_vec();
+    let mut half = found.box_half_size().to_vec();
+    let left: Vec<usize> = (1..5).filter(|&leg| center[leg].x < 0.0).collect();
+    center[left[0]].y = 0.0;
+    half[left[0]].y += found.box_center()[left[0]].y.abs();
+    center.remove(left[1]);
+    half.remove(left[1]);
+    let given = give(&center, &half);
+    assert_eq!((given.symmetry(), sides(&given)), (Symmetry::Y, [2, 1, 1]));
+}
+
+#[test]
 fn given_boxes_are_checked_with_a_sentence_each() {
     let mesh = plain_box();
     let refused = |center: &[Vec3], half: &[Vec3]| {
@@ -363,6 +426,7 @@ fn two_boxes() -> (Mesh, Parts) {
         box_center: vec![v(0.0, 0.0, 0.5), v(0.0, 0.0, 1.5)],
         box_half_size: vec![v(1.0, 1.0, 0.5), v(0.5, 0.5, 0.5)],
         box_side: vec![0, 0],
+        box_row: vec![0, 1],
         assignment: [vec![0; each], vec![1; each]].concat(),
         tree_edges: vec![[0, 1]],
         tree_parent_point: vec![v(0.0, 0.0, 1.0)],
@@ -379,7 +443,7 @@ type Case = (&'static str, fn(&mut Parts));
 fn given_parts_are_checked_with_a_sentence_each() {
     let (mesh, good) = two_boxes();
     assert_eq!(BoxDefGraph::from_parts(&mesh, good.clone(), Boundary::Paper).unwrap().parts(), &good);
-    let cases: [Case; 14] = [
+    let cases: [Case; 17] = [
         ("no boxes", |p| *p = Parts::default()),
         ("box_half_size has 1 rows", |p| p.box_half_size.truncate(1)),
         ("box_side has 1 rows", |p| p.box_side.truncate(1)),
@@ -390,6 +454,9 @@ fn given_parts_are_checked_with_a_sentence_each() {
         ("below zero in row 0", |p| p.box_half_size[0].y = -1.0),
         ("box_side is 3 in row 1", |p| p.box_side[1] = 3),
         ("1 pos and 0 neg", |p| p.box_side[1] = 1),
+        ("box_row has 1 rows", |p| p.box_row.truncate(1)),
+        ("box_row is 2 in row 1, where 1 belongs", |p| p.box_row[1] = 2),
+        ("box_row is 1 in row 1, where the row of a pos box belongs", |p| p.box_side[1] = 2),
         ("assignment names box 2 in row 3", |p| p.assignment[3] = 2),
         ("edges names box -1", |p| p.edges[0][1] = -1),
         ("(1 to 1) is out of place", |p| p.tree_edges[0] = [1, 1]),
@@ -405,12 +472,13 @@ fn given_parts_are_checked_with_a_sentence_each() {
 
 #[test]
 fn a_graph_can_be_taken_apart_and_put_together_again() {
-    let mesh = chair(2).mesh();
-    let built = build(&mesh, 4);
-    let again = BoxDefGraph::from_parts(&mesh, built.parts().clone(), Boundary::Paper).unwrap();
-    assert_eq!(again.parts(), built.parts());
-    assert_eq!(again.parameter_row_of_box(), built.parameter_row_of_box());
-    assert_eq!(again.symmetry(), built.symmetry());
+    for mesh in [chair(2).mesh(), table(2).mesh(), cross().mesh()] {
+        let built = build(&mesh, 4);
+        let again = BoxDefGraph::from_parts(&mesh, built.parts().clone(), Boundary::Paper).unwrap();
+        assert_eq!(again.parts(), built.parts());
+        assert_eq!(again.parameter_row_of_box(), built.parameter_row_of_box());
+        assert_eq!(again.symmetry(), built.symmetry());
+    }
 }
 
 #[test]

@@ -15,7 +15,7 @@ fn check(name: &str, mesh: &Mesh, splits: u32, symmetry: Symmetry) -> BoxDefGrap
     let graph =
         BoxDefGraph::build(mesh, splits, symmetry, Boundary::Smooth).expect("every valid mesh has a graph");
     let boxes = graph.box_center().len();
-    assert!(boxes >= 1 && boxes <= 2 * splits as usize + 1, "{name}: {boxes} boxes after {splits} splits");
+    assert!(boxes >= 1 && boxes <= 4 * splits as usize + 1, "{name}: {boxes} boxes after {splits} splits");
     assert_eq!(graph.assignment().len(), mesh.vertices().len());
     assert!(graph.assignment().iter().all(|&owner| (0..boxes as i32).contains(&owner)), "{name}");
     for part in graph.box_center().iter().chain(graph.box_half_size()) {

@@ -11,7 +11,7 @@ from . import metrics as metrics
 __version__: str
 
 Boundary = Literal["smooth", "paper"]
-Symmetry = Literal["auto", "none", "x", "y", "z"]
+Symmetry = Literal["auto", "none", "x", "y", "z", "xy"]
 Renderer = Literal["auto", "cpu", "gpu"]
 
 class GuideError(Exception): ...
@@ -60,6 +60,8 @@ class BoxDefGraph:
         tree_child_point: NDArray[np.float32],  # (b - 1, 3)
         edges: NDArray[np.integer],  # (e, 2) (leader, follower), in the order of execution
         boundary: Boundary = "paper",
+        box_row: NDArray[np.integer]
+        | None = None,  # (b,) parameter row; None: the j-th neg box has that of the j-th pos box
     ) -> BoxDefGraph: ...
     @property
     def box_center(self) -> NDArray[np.float32]: ...  # (b, 3)
@@ -78,7 +80,7 @@ class BoxDefGraph:
     @property
     def parameter_row_of_box(self) -> NDArray[np.int32]: ...  # (b,)
     @property
-    def symmetry(self) -> Literal["x", "y", "z"] | None: ...
+    def symmetry(self) -> Literal["x", "y", "z", "xy"] | None: ...
     def deform(self, scales: NDArray[np.float32]) -> NDArray[np.float32]:
         """Scale factors (P, 3), 1 = unchanged, to positions (n, 3)."""
 

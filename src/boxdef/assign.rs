@@ -22,25 +22,26 @@ const GUEST: f64 = 0.5;
 const SHARE: usize = 50_000;
 
 /// The owner of every vertex: the nearest box, the first of several (a vertex inside a box is at distance
-/// 0); but loose parts (`islands` numbers them) that lie mostly in one box's space go to it whole, and mirror images to twins.
+/// 0); but loose parts (`islands` numbers them) that lie mostly in one box's space go to it whole, and mirror
+/// images to mirror images.
 pub(crate) fn assign(
     mesh: &Mesh,
     vertices: &[DVec3],
     islands: &[u32],
     occupancy: &Occupancy,
     boxes: &[PartBox],
-    mirror: Option<&MirrorMap>,
+    mirrors: &[MirrorMap],
 ) -> Vec<i32> {
     let mut owners: Vec<i32> = vertices.par_iter().map(|&v| nearest_box(boxes, v)).collect();
     if boxes.len() > 1 {
         keep_islands_whole(mesh, vertices, islands, occupancy, boxes, &mut owners);
     }
-    if let Some(mirror) = mirror {
+    for mirror in mirrors {
         for vertex in 0..vertices.len() {
             let Some(image) = mirror.image[vertex] else { continue };
-            // The positive side decides; points of the plane are their own image.
+            // The positive side decides; points of the plane are their own images.
             if vertices[vertex][mirror.axis] > 0.0 && image as usize != vertex {
-                owners[image as usize] = boxes[owners[vertex] as usize].twin as i32;
+                owners[image as usize] = boxes[owners[vertex] as usize].images[mirror.axis] as i32;
             }
         }
     }

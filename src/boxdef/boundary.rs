@@ -101,10 +101,26 @@ pub(crate) fn pulls(
             })
             .collect()
     };
-    stages
-        .iter()
-        .map(|stage| stage.iter().flat_map(|&[leader, follower]| between(leader, follower)).collect())
-        .collect()
+    let at_once = |stage: &Vec<[i32; 2]>| {
+        let mut pulls: Vec<Pull> =
+            stage.iter().flat_map(|&[leader, follower]| between(leader, follower)).collect();
+        if stage.len() > 2 {
+            temper(&mut pulls, vertices.len());
+        }
+        pulls
+    };
+    stages.iter().map(at_once).collect()
+}
+
+/// Keeps followers that several leaders pull at once from being pulled beyond them.
+fn temper(pulls: &mut [Pull], vertices: usize) {
+    let mut sums = vec![0.0_f32; vertices];
+    for &(follower, _, weight) in pulls.iter() {
+        sums[follower as usize] += weight;
+    }
+    for (follower, _, weight) in pulls {
+        *weight /= sums[*follower as usize].max(1.0);
+    }
 }
 
 /// Applies one stage to coefficients (n): all its pulls see the displacements from before it. `change` is the

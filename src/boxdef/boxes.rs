@@ -7,9 +7,9 @@ use rayon::prelude::*;
 use crate::mesh::Mesh;
 
 use super::occupancy::{CellBox, Occupancy};
-use super::parts::{NEG, POS};
+use super::parts::{MID, NEG, POS};
 use super::split::Piece;
-use super::symmetry::mirrored;
+use super::symmetry::{Symmetry, Way};
 
 /// A part box in the frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,8 +18,8 @@ pub(crate) struct PartBox {
     pub(crate) domain: CellBox,
     pub(crate) low: DVec3,
     pub(crate) high: DVec3,
-    /// Index of the mirror twin; of the box itself where there is none.
-    pub(crate) twin: usize,
+    /// Index of the mirror image about each axis; of the box itself where it is its own or there is none.
+    pub(crate) images: [usize; 3],
 }
 
 impl PartBox {
@@ -42,22 +42,36 @@ impl PartBox {
     }
 }
 
-/// All mid boxes, then all pos boxes, then their neg twins in the same order.
+/// The mirror image of box `index` about some axes.
+pub(crate) fn image(boxes: &[PartBox], index: usize, way: &[usize]) -> usize {
+    way.iter().fold(index, |index, &axis| boxes[index].images[axis])
+}
+
+/// Parameter row of each box: mid and pos boxes come first and have rows of their own, neg boxes that of the
+/// pos box that they mirror.
+pub(crate) fn box_rows(boxes: &[PartBox], symmetry: Symmetry) -> Vec<i32> {
+    let images = |b| symmetry.ways().iter().map(move |way| image(boxes, b, way));
+    (0..boxes.len()).map(|b| images(b).min().unwrap_or(b) as i32).collect()
+}
+
+/// All mid boxes, then all pos boxes, then the mirror images of the latter, way by way.
 pub(crate) fn part_boxes(
     mesh: &Mesh,
     vertices: &[DVec3],
     occupancy: &Occupancy,
     pieces: &[Piece],
-    symmetry: Option<usize>,
+    symmetry: Symmetry,
 ) -> Vec<PartBox> {
-    let mut boxes: Vec<PartBox> = Vec::new();
-    for (index, piece) in pieces.iter().enumerate() {
-        let (mut low, mut high) = surface_bounds(mesh, vertices, occupancy, &piece.domain);
-        if let Some(axis) = symmetry {
-            let domain = mirrored_cells(occupancy, &piece.domain, axis);
-            let (a, b) = surface_bounds(mesh, vertices, occupancy, &domain);
-            let (a, b) = (mirrored(a, axis), mirrored(b, axis));
-            (low, high) = (low.min(a.min(b)), high.max(a.max(b)));
+    let boxes = pieces.iter().map(|piece| {
+        let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let (mut low, mut high) = ways_off(symmetry, piece.off_plane).fold(empty, |(low, high), way| {
+            let domain = mirrored_cells(occupancy, &piece.domain, way);
+            let (a, b) = mirrored_bounds(surface_bounds(mesh, vertices, occupancy, &domain), way);
+            (low.min(a), high.max(b))
+        });
+        for &axis in symmetry.axes().iter().filter(|&&axis| !piece.off_plane[axis]) {
+            high[axis] = high[axis].max(-low[axis]);
+            low[axis] = -high[axis];
         }
         let bound = |cells: [usize; 3]| {
             DVec3::from_array(std::array::from_fn(|axis| occupancy.boundary(axis, cells[axis])))
@@ -69,36 +83,78 @@ pub(crate) fn part_boxes(
         if low.cmpgt(high).any() {
             (low, high) = (least, most);
         }
-        boxes.push(PartBox { side: piece.side, domain: piece.domain, low, high, twin: index });
-    }
-    if let Some(axis) = symmetry {
-        for index in 0..boxes.len() {
-            if boxes[index].side == POS {
-                let pos = boxes[index];
-                let (a, b) = (mirrored(pos.low, axis), mirrored(pos.high, axis));
-                let domain = mirrored_cells(occupancy, &pos.domain, axis);
-                boxes[index].twin = boxes.len();
-                boxes.push(PartBox { side: NEG, domain, low: a.min(b), high: a.max(b), twin: index });
-            }
-        }
-    }
-    boxes
+        (piece.off_plane, piece.domain, low, high)
+    });
+    with_images(boxes.collect(), occupancy, symmetry)
 }
 
-/// Keeps the boxes that own a vertex, or whose twin does. Twins are renumbered.
-pub(crate) fn keep_owners(boxes: &[PartBox], owners: &[i32]) -> Vec<PartBox> {
+/// Adds the mirror images of boxes (off which planes each lies, domain, low and high corner) that come without
+/// images first.
+pub(crate) fn with_images(
+    boxes: Vec<([bool; 3], CellBox, DVec3, DVec3)>,
+    occupancy: &Occupancy,
+    symmetry: Symmetry,
+) -> Vec<PartBox> {
+    // Which of the boxes, mirrored in which way, stands at each index.
+    let mut places: Vec<(usize, Way)> = Vec::new();
+    for &way in symmetry.ways() {
+        let is_moved = |&index: &usize| way.iter().all(|&axis| boxes[index].0[axis]);
+        places.extend((0..boxes.len()).filter(is_moved).map(|index| (index, way)));
+    }
+    let image = |(index, way): (usize, Way), axis: usize| {
+        if !symmetry.axes().contains(&axis) || !boxes[index].0[axis] {
+            return (index, way);
+        }
+        let toggled = |other: &&Way| (0..3).all(|a| other.contains(&a) == (way.contains(&a) != (a == axis)));
+        (index, *symmetry.ways().iter().find(toggled).unwrap_or(&way))
+    };
+    let at = |place: (usize, Way)| places.iter().position(|&other| other == place).unwrap_or_default();
+    places
+        .iter()
+        .map(|&(index, way)| {
+            let (off_plane, domain, low, high) = boxes[index];
+            let side = match (off_plane.contains(&true), way.is_empty()) {
+                (false, _) => MID,
+                (true, true) => POS,
+                (true, false) => NEG,
+            };
+            let (low, high) = mirrored_bounds((low, high), way);
+            let images = std::array::from_fn(|axis| at(image((index, way), axis)));
+            PartBox { side, domain: mirrored_cells(occupancy, &domain, way), low, high, images }
+        })
+        .collect()
+}
+
+/// The ways to mirror that lead to another place for what lies off some planes.
+fn ways_off(symmetry: Symmetry, off_plane: [bool; 3]) -> impl Iterator<Item = Way> {
+    symmetry.ways().iter().copied().filter(move |way| way.iter().all(|&axis| off_plane[axis]))
+}
+
+/// Keeps the boxes that own a vertex, or a mirror image of which does. Images are renumbered.
+pub(crate) fn keep_owners(boxes: &[PartBox], owners: &[i32], symmetry: Symmetry) -> Vec<PartBox> {
     let mut owns = vec![false; boxes.len()];
     for &owner in owners {
         owns[owner as usize] = true;
     }
-    let kept: Vec<usize> = (0..boxes.len()).filter(|&b| owns[b] || owns[boxes[b].twin]).collect();
+    let keeps = |b: &usize| symmetry.ways().iter().any(|way| owns[image(boxes, *b, way)]);
+    let kept: Vec<usize> = (0..boxes.len()).filter(keeps).collect();
     let place = |b: usize| kept.binary_search(&b).unwrap_or(0);
-    kept.iter().map(|&b| PartBox { twin: place(boxes[b].twin), ..boxes[b] }).collect()
+    kept.iter().map(|&b| PartBox { images: boxes[b].images.map(place), ..boxes[b] }).collect()
 }
 
-fn mirrored_cells(occupancy: &Occupancy, cells: &CellBox, axis: usize) -> CellBox {
-    let size = occupancy.size()[axis];
-    cells.with(axis, size - cells.high[axis], size - cells.low[axis])
+/// A box from its low and high corner, mirrored; empty ones stay empty.
+fn mirrored_bounds((low, high): (DVec3, DVec3), way: &[usize]) -> (DVec3, DVec3) {
+    way.iter().fold((low, high), |(mut low, mut high), &axis| {
+        (low[axis], high[axis]) = (-high[axis], -low[axis]);
+        (low, high)
+    })
+}
+
+fn mirrored_cells(occupancy: &Occupancy, cells: &CellBox, way: &[usize]) -> CellBox {
+    way.iter().fold(*cells, |cells, &axis| {
+        let size = occupancy.size()[axis];
+        cells.with(axis, size - cells.high[axis], size - cells.low[axis])
+    })
 }
 
 /// Bounds of the part of the surface that lies in a domain; empty (low above high) if none does.

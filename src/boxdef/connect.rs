@@ -3,16 +3,16 @@
 //!
 //! Boxes are adjacent where a mesh edge joins their vertices, or where their filled cells touch, which also
 //! finds a separate leg under a seat of four vertices. What is still apart is joined by distance, so the
-//! graph is always connected. Everything comes in mirror pairs: an edge and its mirror image.
+//! graph is always connected. Whatever is symmetric stays so: an edge comes with its mirror images.
 
 use glam::DVec3;
 
 use crate::mesh::Mesh;
 
-use super::boxes::PartBox;
+use super::boxes::{PartBox, image};
 use super::occupancy::Occupancy;
 use super::parts::MID;
-use super::symmetry::mirrored;
+use super::symmetry::{Symmetry, mirrored};
 
 /// How far apart, in cells, filled cells may lie and still touch.
 const REACH: usize = 2;
@@ -25,7 +25,7 @@ pub(crate) struct Connections {
     pub(crate) points: Vec<[DVec3; 2]>,
     /// (leader, follower), by the lower box, then by the higher.
     pub(crate) edges: Vec<[usize; 2]>,
-    /// The same in groups that act at once: an edge and its mirror image, then both with the roles swapped.
+    /// The same in groups that act at once: an edge and its mirror images, then all with the roles swapped.
     pub(crate) stages: Vec<Vec<[usize; 2]>>,
 }
 
@@ -35,10 +35,10 @@ pub(crate) fn connect(
     occupancy: &Occupancy,
     boxes: &[PartBox],
     owners: &[i32],
-    symmetry: Option<usize>,
+    symmetry: Symmetry,
 ) -> Connections {
     let contacts = contacts(occupancy, boxes);
-    let mut adjacency = Adjacency { boxes, linked: vec![false; boxes.len() * boxes.len()] };
+    let mut adjacency = Adjacency { boxes, symmetry, linked: vec![false; boxes.len() * boxes.len()] };
     for triangle in mesh.triangles() {
         let [a, b, c] = triangle.map(|i| owners[i as usize] as usize);
         adjacency.link(a, b);
@@ -114,15 +114,21 @@ fn touching(
 
 struct Adjacency<'a> {
     boxes: &'a [PartBox],
+    symmetry: Symmetry,
     linked: Vec<bool>,
 }
 
 impl Adjacency<'_> {
-    /// Links two boxes and their twins.
+    /// A pair of boxes and its mirror images, the pair itself first.
+    fn images(&self, pair: [usize; 2]) -> Vec<[usize; 2]> {
+        images(self.boxes, self.symmetry, pair)
+    }
+
+    /// Links two boxes, and their mirror images.
     fn link(&mut self, a: usize, b: usize) {
         if a != b {
             let n = self.boxes.len();
-            for (a, b) in [(a, b), (self.boxes[a].twin, self.boxes[b].twin)] {
+            for [a, b] in self.images([a, b]) {
                 self.linked[a * n + b] = true;
                 self.linked[b * n + a] = true;
             }
@@ -175,7 +181,7 @@ impl Adjacency<'_> {
     /// Tree edges, and the number of the front in which each box was expanded.
     ///
     /// Fronts spread from the largest mid box. All mid boxes go before any pos or neg box, and a box and
-    /// its twin are found together, by parents that are twins.
+    /// its mirror images are found together, by parents that are mirror images.
     fn tree(&self) -> (Vec<[usize; 2]>, Vec<usize>) {
         let n = self.boxes.len();
         let size = |b: usize| (self.boxes[b].half_size() + 0.005).element_product();
@@ -188,12 +194,13 @@ impl Adjacency<'_> {
         let mut reached = vec![false; n];
         let mut waiting = vec![root];
         reached[root] = true;
-        let twin = self.boxes[root].twin;
-        if twin != root {
-            // No mid box at all: the two halves are held together by the plane between them.
-            edges.push([root, twin]);
-            reached[twin] = true;
-            waiting.push(twin);
+        for [root, other] in self.images([root, root]).into_iter().map(|pair| [root, pair[0]]) {
+            if !reached[other] {
+                // No mid box at all: the sides are held together by the planes between them.
+                edges.push([root, other]);
+                reached[other] = true;
+                waiting.push(other);
+            }
         }
         let mut front_number = 0;
         while !waiting.is_empty() {
@@ -208,7 +215,7 @@ impl Adjacency<'_> {
                     if !self.are_linked(parent, child) || reached[child] {
                         continue;
                     }
-                    for [parent, child] in [[parent, child], [parent, child].map(|b| self.boxes[b].twin)] {
+                    for [parent, child] in self.images([parent, child]) {
                         if !reached[child] {
                             reached[child] = true;
                             edges.push([parent, child]);
@@ -223,7 +230,7 @@ impl Adjacency<'_> {
     }
 
     /// Graph edges as (leader, follower), and the stages in which they act. The box that was expanded
-    /// earlier leads; of equals the lower one, and on the other side its twin.
+    /// earlier leads; of equals the lower one, and elsewhere its mirror images.
     fn graph_edges(&self, order: &[usize]) -> (Vec<[usize; 2]>, Vec<Vec<[usize; 2]>>) {
         let n = self.boxes.len();
         let mut pairs = Vec::new();
@@ -234,21 +241,22 @@ impl Adjacency<'_> {
                 if !self.are_linked(a, b) || done[a * n + b] {
                     continue;
                 }
-                let edge = if order[b] < order[a] { [b, a] } else { [a, b] };
-                let image = edge.map(|b| self.boxes[b].twin);
-                let group = if image == edge { vec![edge] } else { vec![edge, image] };
+                let mut group = self.images(if order[b] < order[a] { [b, a] } else { [a, b] });
+                group.sort_unstable();
+                group.dedup();
                 for &[c, d] in &group {
-                    done[c.min(d) * n + c.max(d)] = true;
+                    let known = &mut done[c.min(d) * n + c.max(d)];
+                    if !*known {
+                        *known = true;
+                        pairs.push([c, d]);
+                    }
                 }
-                if image == [edge[1], edge[0]] {
-                    pairs.push(edge);
-                    stages.push(group);
-                    continue;
-                }
-                pairs.extend(&group);
-                let swapped = group.iter().map(|&[leader, follower]| [follower, leader]).collect();
+                let swapped: Vec<_> = group.iter().map(|&[leader, follower]| [follower, leader]).collect();
+                let both_ways = group.contains(&swapped[0]);
                 stages.push(group);
-                stages.push(swapped);
+                if !both_ways {
+                    stages.push(swapped);
+                }
             }
         }
         pairs.sort_by_key(|&[a, b]| (a.min(b), a.max(b)));
@@ -256,23 +264,29 @@ impl Adjacency<'_> {
     }
 }
 
+/// A pair of boxes and its mirror images, way by way.
+fn images(boxes: &[PartBox], symmetry: Symmetry, pair: [usize; 2]) -> Vec<[usize; 2]> {
+    symmetry.ways().iter().map(|way| pair.map(|b| image(boxes, b, way))).collect()
+}
+
 /// Constraint points of a tree edge; those of mirror images are mirror images.
-fn joint(boxes: &[PartBox], contacts: &[Contact], edge: [usize; 2], symmetry: Option<usize>) -> [DVec3; 2] {
-    let Some(axis) = symmetry else { return half_joint(boxes, contacts, edge) };
-    let image = edge.map(|b| boxes[b].twin);
-    if image == [edge[1], edge[0]] {
+fn joint(boxes: &[PartBox], contacts: &[Contact], edge: [usize; 2], symmetry: Symmetry) -> [DVec3; 2] {
+    let images = images(boxes, symmetry, edge);
+    if images.iter().any(|&[_, child]| child == edge[0]) {
+        // Mirror images of each other are scaled alike: held at the origin they need no translation.
         return [DVec3::ZERO; 2];
     }
-    if image < edge {
-        return half_joint(boxes, contacts, image).map(|point| mirrored(point, axis));
-    }
-    let mut points = half_joint(boxes, contacts, edge);
-    if image == edge {
-        for point in &mut points {
-            point[axis] = 0.0;
+    let least = *images.iter().min().unwrap_or(&edge);
+    let mut points = half_joint(boxes, contacts, least);
+    for (&way, &found) in symmetry.ways().iter().zip(&images) {
+        if let (&[axis], true) = (way, found == edge) {
+            for point in &mut points {
+                point[axis] = 0.0;
+            }
         }
     }
-    points
+    let way = symmetry.ways().iter().zip(&images).find(|(_, found)| **found == least);
+    way.map_or(points, |(way, _)| points.map(|point| mirrored(point, way)))
 }
 
 /// The middle of the contact on both boxes; of boxes apart, the centre of the child's face that is nearest

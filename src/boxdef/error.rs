@@ -12,6 +12,9 @@ pub enum BoxDefError {
     /// There is no boundary step of that name.
     #[error("unknown boundary \"{0}\": choose \"smooth\" or \"paper\"")]
     Boundary(String),
+    /// There is no symmetry of that name.
+    #[error("unknown symmetry \"{0}\": choose \"auto\", \"none\", \"x\", \"y\", \"z\" or \"xy\"")]
+    Symmetry(String),
     /// There is no box.
     #[error("there are no boxes; give at least one")]
     NoBoxes,
@@ -58,6 +61,16 @@ pub enum BoxDefError {
         pos: usize,
         /// Number of neg boxes.
         neg: usize,
+    },
+    /// A parameter row is not the one that a box can have.
+    #[error("box_row is {found} in row {row}, where {expected} belongs")]
+    BoxRow {
+        /// First such row.
+        row: usize,
+        /// What it says.
+        found: i32,
+        /// What it should say.
+        expected: String,
     },
     /// A box index is out of range.
     #[error("{name} names box {index} in row {row}, but there are {boxes} boxes; number them from 0")]

@@ -3,24 +3,23 @@
 
 use glam::{DVec3, Vec3};
 
-use super::boxes::PartBox;
+use super::boxes::{PartBox, with_images};
 use super::frame::{CELL, Frame};
 use super::occupancy::{CellBox, Occupancy};
-use super::parts::{MID, NEG, POS};
-use super::symmetry::mirrored;
+use super::symmetry::{Symmetry, mirrored};
 
 /// How far a given box may be, in units of the frame, from the mirror image of its twin.
 const SAME_BOX: f64 = 2.0 * CELL;
 
-/// All mid boxes, then all pos boxes, then their neg twins in the same order, and the symmetry axis: the one
-/// asked for if every box is its own mirror image or has a twin, else none.
+/// All mid boxes, then all pos boxes, then the mirror images of the latter, and the symmetry: what is left of the
+/// one asked for once every box is its own mirror image or that of another.
 pub(crate) fn given_boxes(
     center: &[Vec3],
     half_size: &[Vec3],
     frame: Frame,
     occupancy: &Occupancy,
-    symmetry: Option<usize>,
-) -> (Vec<PartBox>, Option<usize>) {
+    symmetry: Symmetry,
+) -> (Vec<PartBox>, Symmetry) {
     let boxes: Vec<(DVec3, DVec3)> = center
         .iter()
         .zip(half_size)
@@ -29,37 +28,33 @@ pub(crate) fn given_boxes(
             (center - half, center + half)
         })
         .collect();
-    if let Some((axis, twins)) = symmetry.and_then(|axis| Some((axis, twins(&boxes, axis)?))) {
-        let is_pos = |b: usize| twins[b] != b && boxes[b].0[axis] + boxes[b].1[axis] > 0.0;
-        let mids: Vec<usize> = (0..boxes.len()).filter(|&b| twins[b] == b).collect();
-        let pos: Vec<usize> = (0..boxes.len()).filter(|&b| is_pos(b)).collect();
-        let part = |side, b: usize, twin| {
-            // Exact mirror images: the pos box's of its neg twin, the mean of a mid box and its own.
-            let (low, high) = boxes[if side == NEG { twins[b] } else { b }];
-            let image = |(low, high): (DVec3, DVec3)| (mirrored(low, axis), mirrored(high, axis));
-            let (a, b) = image((low, high));
-            let (low, high) = match side {
-                NEG => (a.min(b), a.max(b)),
-                MID => ((low + a.min(b)) * 0.5, (high + a.max(b)) * 0.5),
-                _ => (low, high),
-            };
-            PartBox { side, domain: domain(occupancy, low, high), low, high, twin }
-        };
-        let mut parts: Vec<PartBox> = Vec::new();
-        parts.extend(mids.iter().enumerate().map(|(i, &b)| part(MID, b, i)));
-        let (first, count) = (mids.len(), pos.len());
-        parts.extend(pos.iter().enumerate().map(|(i, &b)| part(POS, b, first + count + i)));
-        parts.extend(pos.iter().enumerate().map(|(i, &b)| part(NEG, twins[b], first + i)));
-        return (parts, Some(axis));
+    let mut paired: Vec<(usize, Vec<usize>)> =
+        symmetry.axes().iter().filter_map(|&axis| Some((axis, twins(&boxes, axis)?))).collect();
+    if let [(_, x), (_, y)] = &paired[..]
+        && (0..boxes.len()).any(|b| x[y[b]] != y[x[b]])
+    {
+        paired.truncate(1);
     }
-    let single = |(twin, &(low, high)): (usize, &(DVec3, DVec3))| PartBox {
-        side: MID,
-        domain: domain(occupancy, low, high),
-        low,
-        high,
-        twin,
+    let axes: Vec<usize> = paired.iter().map(|&(axis, _)| axis).collect();
+    let symmetry = Symmetry::about(&axes);
+    // One box stands for its mirror images: the one on the positive sides.
+    let stands = |b: &usize| {
+        paired.iter().all(|(axis, twins)| twins[*b] == *b || boxes[*b].0[*axis] + boxes[*b].1[*axis] > 0.0)
     };
-    (boxes.iter().enumerate().map(single).collect(), None)
+    let exact = |b: usize| {
+        let (mut off_plane, (mut low, mut high)) = ([false; 3], boxes[b]);
+        for (axis, twins) in &paired {
+            off_plane[*axis] = twins[b] != b;
+            if !off_plane[*axis] {
+                let half = 0.5 * (high[*axis] - low[*axis]);
+                (low[*axis], high[*axis]) = (-half, half);
+            }
+        }
+        (off_plane, domain(occupancy, low, high), low, high)
+    };
+    let mut single: Vec<_> = (0..boxes.len()).filter(stands).map(exact).collect();
+    single.sort_by_key(|part| part.0.contains(&true));
+    (with_images(single, occupancy, symmetry), symmetry)
 }
 
 /// The mirror twin of each box, the box itself where it is its own; none unless all have one.
@@ -67,7 +62,7 @@ fn twins(boxes: &[(DVec3, DVec3)], axis: usize) -> Option<Vec<usize>> {
     let twins: Vec<usize> = boxes
         .iter()
         .map(|&(low, high)| {
-            let (a, b) = (mirrored(low, axis), mirrored(high, axis));
+            let (a, b) = (mirrored(low, &[axis]), mirrored(high, &[axis]));
             let away = |&(l, h): &(DVec3, DVec3)| {
                 (l - a.min(b)).abs().max_element().max((h - a.max(b)).abs().max_element())
             };

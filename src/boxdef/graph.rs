@@ -5,7 +5,7 @@ use glam::{DVec3, Vec3};
 
 use super::assign::assign;
 use super::boundary::Boundary;
-use super::boxes::{PartBox, keep_owners, part_boxes};
+use super::boxes::{PartBox, box_rows, keep_owners, part_boxes};
 use super::connect::connect;
 use super::error::BoxDefError;
 use super::field::DeformField;
@@ -13,7 +13,7 @@ use super::frame::Frame;
 use super::given::given_boxes;
 use super::islands::{islands, places};
 use super::occupancy::Occupancy;
-use super::parts::{Parts, check_boxes};
+use super::parts::{NEG, POS, Parts, check_boxes};
 use super::propagate::Propagation;
 use super::split::split;
 use super::symmetry::{self, MirrorMap, Symmetry};
@@ -26,7 +26,7 @@ pub struct BoxDefGraph {
     parts: Parts,
     rows: Vec<usize>,
     parameter_rows: usize,
-    symmetry_axis: Option<usize>,
+    symmetry: Symmetry,
     boundary: Boundary,
     frame: Frame,
     field: DeformField,
@@ -40,9 +40,10 @@ impl BoxDefGraph {
         parts.check(mesh.vertices().len())?;
         let frame = Frame::of_vertices(mesh);
         let stages = parts.edges.iter().flat_map(|&[a, b]| [vec![[a, b]], vec![[b, a]]]).collect();
-        let axis = twin_axis(&parts);
+        let symmetry = symmetry_of(&parts);
         let vertices = frame.vertices(mesh);
-        Ok(Self::assemble(mesh, parts, frame, &vertices, axis, None, boundary, stages))
+        let held = vec![[false; 3]; parts.box_center.len()];
+        Ok(Self::assemble(mesh, parts, frame, &vertices, symmetry, &[], &held, boundary, stages))
     }
 
     /// Finds the parts of a mesh with at most `splits` (1 to 8) cuts, fewer where no cut is worth it.
@@ -56,13 +57,13 @@ impl BoxDefGraph {
             return Err(BoxDefError::Splits(splits));
         }
         let mut ground = Ground::of(mesh);
-        let axis = symmetry::resolve(symmetry, &ground.occupancy);
-        if let Some(axis) = axis {
+        let symmetry = symmetry::resolve(symmetry, &ground.occupancy);
+        for &axis in symmetry.axes() {
             ground.occupancy.symmetrise(axis);
         }
-        let pieces = split(&mut ground.occupancy, splits, axis);
-        let boxes = part_boxes(mesh, &ground.vertices, &ground.occupancy, &pieces, axis);
-        Ok(Self::of_boxes(mesh, &ground, boxes, axis, boundary))
+        let pieces = split(&mut ground.occupancy, splits, symmetry);
+        let boxes = part_boxes(mesh, &ground.vertices, &ground.occupancy, &pieces, symmetry);
+        Ok(Self::of_boxes(mesh, &ground, boxes, symmetry, boundary))
     }
 
     /// Takes boxes that a person gives, in object coordinates: `center` and `half_size` (b). Boxes may overlap and
@@ -78,9 +79,9 @@ impl BoxDefGraph {
     ) -> Result<Self, BoxDefError> {
         check_boxes(center, half_size)?;
         let ground = Ground::of(mesh);
-        let axis = symmetry::resolve(symmetry, &ground.occupancy);
-        let (boxes, axis) = given_boxes(center, half_size, ground.frame, &ground.occupancy, axis);
-        Ok(Self::of_boxes(mesh, &ground, boxes, axis, boundary))
+        let symmetry = symmetry::resolve(symmetry, &ground.occupancy);
+        let (boxes, symmetry) = given_boxes(center, half_size, ground.frame, &ground.occupancy, symmetry);
+        Ok(Self::of_boxes(mesh, &ground, boxes, symmetry, boundary))
     }
 
     /// Assigns vertices to boxes, joins the boxes, and computes the field.
@@ -88,26 +89,28 @@ impl BoxDefGraph {
         mesh: &Mesh,
         ground: &Ground,
         mut boxes: Vec<PartBox>,
-        axis: Option<usize>,
+        symmetry: Symmetry,
         boundary: Boundary,
     ) -> Self {
         let Ground { frame, vertices, places, occupancy } = ground;
-        let mirror = axis.map(|axis| MirrorMap::of(vertices, axis));
+        let mirrors: Vec<MirrorMap> =
+            symmetry.axes().iter().map(|&axis| MirrorMap::of(vertices, axis)).collect();
         let islands = islands(mesh, places);
         let owners = loop {
-            let owners = assign(mesh, vertices, &islands, occupancy, &boxes, mirror.as_ref());
-            let kept = keep_owners(&boxes, &owners);
+            let owners = assign(mesh, vertices, &islands, occupancy, &boxes, &mirrors);
+            let kept = keep_owners(&boxes, &owners, symmetry);
             if kept.len() == boxes.len() {
                 break owners;
             }
             boxes = kept;
         };
-        let connections = connect(mesh, occupancy, &boxes, &owners, axis);
+        let connections = connect(mesh, occupancy, &boxes, &owners, symmetry);
         let pair = |edge: [usize; 2]| edge.map(|b| b as i32);
         let parts = Parts {
             box_center: boxes.iter().map(|b| frame.to_object(b.center())).collect(),
             box_half_size: boxes.iter().map(|b| (b.half_size() * frame.unit).as_vec3()).collect(),
             box_side: boxes.iter().map(|b| b.side).collect(),
+            box_row: box_rows(&boxes, symmetry),
             assignment: owners,
             tree_edges: connections.tree_edges.iter().copied().map(pair).collect(),
             tree_parent_point: connections.points.iter().map(|p| frame.to_object(p[0])).collect(),
@@ -116,7 +119,9 @@ impl BoxDefGraph {
         };
         let stages =
             connections.stages.into_iter().map(|stage| stage.into_iter().map(pair).collect()).collect();
-        Self::assemble(mesh, parts, *frame, vertices, axis, mirror.as_ref(), boundary, stages)
+        let is_held = |b: usize| [0, 1, 2].map(|a| symmetry.axes().contains(&a) && boxes[b].images[a] == b);
+        let held: Vec<[bool; 3]> = (0..boxes.len()).map(is_held).collect();
+        Self::assemble(mesh, parts, *frame, vertices, symmetry, &mirrors, &held, boundary, stages)
     }
 
     #[expect(clippy::too_many_arguments, reason = "what both ways to a graph end in")]
@@ -125,18 +130,19 @@ impl BoxDefGraph {
         parts: Parts,
         frame: Frame,
         vertices: &[DVec3],
-        symmetry_axis: Option<usize>,
-        mirror: Option<&MirrorMap>,
+        symmetry: Symmetry,
+        mirrors: &[MirrorMap],
+        held: &[[bool; 3]],
         boundary: Boundary,
         stages: Vec<Vec<[i32; 2]>>,
     ) -> Self {
-        let rows = parts.parameter_rows();
+        let rows: Vec<usize> = parts.box_row.iter().map(|&row| row as usize).collect();
         let parameter_rows = rows.iter().max().map_or(0, |row| row + 1);
         let propagation =
-            Propagation { frame, parts: &parts, rows: &rows, vertices, mirror, boundary, stages };
+            Propagation { frame, parts: &parts, rows: &rows, vertices, mirrors, held, boundary, stages };
         let basis = propagation.basis(parameter_rows);
         let field = DeformField::new(mesh.vertices().to_vec(), parameter_rows, basis);
-        Self { parts, rows, parameter_rows, symmetry_axis, boundary, frame, field }
+        Self { parts, rows, parameter_rows, symmetry, boundary, frame, field }
     }
 }
 
@@ -160,14 +166,18 @@ impl Ground {
     }
 }
 
-/// The axis along which pos boxes lie apart from their neg twins.
-fn twin_axis(parts: &Parts) -> Option<usize> {
-    let sum = |side| -> Vec3 {
-        let boxes = parts.box_side.iter().zip(&parts.box_center);
-        boxes.filter(|&(&s, _)| s == side).map(|(_, &center)| center).sum()
-    };
-    let apart = (sum(super::parts::POS) - sum(super::parts::NEG)).abs();
-    (apart.max_element() > 0.0).then(|| apart.max_position())
+/// About which planes the pos boxes have neg twins.
+fn symmetry_of(parts: &Parts) -> Symmetry {
+    let of_side = |side| (0..parts.box_side.len()).filter(move |&b| parts.box_side[b] == side);
+    let mut apart = [false; 3];
+    for (pos, neg) in of_side(POS).flat_map(|pos| of_side(NEG).map(move |neg| (pos, neg))) {
+        let way = (parts.box_center[pos] - parts.box_center[neg]).abs();
+        if parts.box_row[pos] == parts.box_row[neg] && way.max_element() > 0.0 {
+            apart[way.max_position()] = true;
+        }
+    }
+    let axes: Vec<usize> = (0..3).filter(|&axis| apart[axis]).collect();
+    Symmetry::about(&axes)
 }
 
 impl BoxDefGraph {
@@ -228,13 +238,7 @@ impl BoxDefGraph {
     /// The symmetry that was found or asked for; never `Auto`.
     #[must_use]
     pub fn symmetry(&self) -> Symmetry {
-        Symmetry::about(self.symmetry_axis)
-    }
-
-    /// The axis whose pos and neg sides mirror each other (0 x, 1 y, 2 z); none if there is no symmetry.
-    #[must_use]
-    pub fn symmetry_axis(&self) -> Option<usize> {
-        self.symmetry_axis
+        self.symmetry
     }
 
     /// How parts follow each other where they meet.
@@ -258,7 +262,7 @@ impl BoxDefGraph {
             return Err(BoxDefError::NotFinite { name: "points", row });
         }
         let (parts, rows, field) = (&self.parts, &self.rows[..], &self.field);
-        Ok(Transfer { frame: self.frame, parts, rows, field, symmetry: self.symmetry_axis }.at(points))
+        Ok(Transfer { frame: self.frame, parts, rows, field, symmetry: self.symmetry }.at(points))
     }
 
     /// Positions (n) for P rows of scale factors, 1 = unchanged; neither re-centred nor re-scaled.

@@ -161,8 +161,10 @@ impl Occupancy {
     }
 
     /// The cell mirrored about the grid's centre.
-    pub(crate) fn mirrored(&self, mut cell: [usize; 3], axis: usize) -> [usize; 3] {
-        cell[axis] = self.size[axis] - 1 - cell[axis];
+    pub(crate) fn mirrored(&self, mut cell: [usize; 3], axes: &[usize]) -> [usize; 3] {
+        for &axis in axes {
+            cell[axis] = self.size[axis] - 1 - cell[axis];
+        }
         cell
     }
 
@@ -171,7 +173,7 @@ impl Occupancy {
         let (mut all, mut matched) = (0_u64, 0_u64);
         self.for_each_filled(&self.whole(), |cell| {
             all += 1;
-            let image = self.mirrored(cell, axis);
+            let image = self.mirrored(cell, &[axis]);
             matched += u64::from(self.is_filled(image) || self.touches_filled(image));
         });
         matched as f64 / all as f64
@@ -181,7 +183,7 @@ impl Occupancy {
     pub(crate) fn symmetrise(&mut self, axis: usize) {
         let mut images = Vec::new();
         self.for_each_filled(&self.whole(), |cell| {
-            let image = self.index(self.mirrored(cell, axis));
+            let image = self.index(self.mirrored(cell, &[axis]));
             if !self.filled[image] {
                 images.push(image);
             }

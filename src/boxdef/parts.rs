@@ -14,8 +14,7 @@ pub(crate) const NEG: i8 = 2;
 
 /// Part boxes, the owner of every vertex, and the edges between boxes; b boxes, n vertices.
 ///
-/// Coordinates are object coordinates. Boxes may stand in any order; the j-th neg box is the twin of the
-/// j-th pos box and shares its parameter row.
+/// Coordinates are object coordinates. Boxes may stand in any order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Parts {
     /// Centre of each box (b).
@@ -24,6 +23,9 @@ pub struct Parts {
     pub box_half_size: Vec<Vec3>,
     /// Side of each box (b): 0 mid, 1 pos, 2 neg.
     pub box_side: Vec<i8>,
+    /// Parameter row of each box (b): mid boxes have the first rows, in order, pos boxes the next ones, and a
+    /// neg box that of the pos box whose mirror image it is.
+    pub box_row: Vec<i32>,
     /// Box that owns each vertex (n).
     pub assignment: Vec<i32>,
     /// (parent, child) pairs (b − 1) in order of execution: the first parent is the root, and every later
@@ -45,6 +47,7 @@ impl Parts {
         let per_tree_edge = "one less than there are boxes";
         for (name, found, expected, why) in [
             ("box_side", self.box_side.len(), boxes, PER_BOX),
+            ("box_row", self.box_row.len(), boxes, PER_BOX),
             ("assignment", self.assignment.len(), vertex_count, "one for each vertex of the mesh"),
             ("tree_edges", self.tree_edges.len(), boxes - 1, per_tree_edge),
             ("tree_parent_point", self.tree_parent_point.len(), boxes - 1, per_tree_edge),
@@ -71,9 +74,23 @@ impl Parts {
         if let Some(row) = self.box_side.iter().position(|side| ![MID, POS, NEG].contains(side)) {
             return Err(BoxDefError::Side { row, side: self.box_side[row] });
         }
+        let own = own_rows(&self.box_side);
+        let mids = self.box_side.iter().filter(|&&side| side == MID).count() as i32;
+        let rows = own.iter().flatten().count() as i32;
+        for (row, (&found, own)) in self.box_row.iter().zip(own).enumerate() {
+            let expected = match own {
+                Some(own) if own != found => own.to_string(),
+                None if !(mids..rows).contains(&found) => "the row of a pos box".into(),
+                _ => continue,
+            };
+            return Err(BoxDefError::BoxRow { row, found, expected });
+        }
+        let is_neg = |row| (0..self.box_row.len()).any(|b| self.box_row[b] == row && self.box_side[b] == NEG);
+        if (mids..rows).all(is_neg) {
+            return Ok(());
+        }
         let count = |side| self.box_side.iter().filter(|&&s| s == side).count();
-        let (pos, neg) = (count(POS), count(NEG));
-        if pos == neg { Ok(()) } else { Err(BoxDefError::Twins { pos, neg }) }
+        Err(BoxDefError::Twins { pos: count(POS), neg: count(NEG) })
     }
 
     fn check_tree(&self) -> Result<(), BoxDefError> {
@@ -95,23 +112,29 @@ impl Parts {
         Ok(())
     }
 
-    /// Parameter row of each box: mid boxes in order, then pos boxes; a neg box has its twin's.
-    pub(crate) fn parameter_rows(&self) -> Vec<usize> {
-        let mids = self.box_side.iter().filter(|&&side| side == MID).count();
-        let (mut mid, mut pos, mut neg) = (0, mids, mids);
-        self.box_side
-            .iter()
-            .map(|&side| {
-                let next = match side {
-                    MID => &mut mid,
-                    POS => &mut pos,
-                    _ => &mut neg,
-                };
-                *next += 1;
-                *next - 1
-            })
-            .collect()
+    /// The rows of boxes with one symmetry: the j-th neg box has that of the j-th pos box.
+    pub fn rows_of_twins(box_side: &[i8]) -> Result<Vec<i32>, BoxDefError> {
+        let count = |side| box_side.iter().filter(|&&s| s == side).count();
+        let (pos, neg) = (count(POS), count(NEG));
+        if pos != neg {
+            return Err(BoxDefError::Twins { pos, neg });
+        }
+        let mut twins = count(MID) as i32..;
+        let row = |own: Option<i32>| own.or_else(|| twins.next()).unwrap_or_default();
+        Ok(own_rows(box_side).into_iter().map(row).collect())
     }
+}
+
+/// The parameter row that each mid and pos box has by its place; none for neg boxes.
+fn own_rows(box_side: &[i8]) -> Vec<Option<i32>> {
+    let mids = box_side.iter().filter(|&&side| side == MID).count() as i32;
+    let (mut mid, mut pos) = (0.., mids..);
+    let own = |&side: &i8| match side {
+        MID => mid.next(),
+        POS => pos.next(),
+        _ => None,
+    };
+    box_side.iter().map(own).collect()
 }
 
 /// Why arrays must be as long as `box_center`.

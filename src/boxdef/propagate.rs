@@ -16,7 +16,7 @@ use rayon::prelude::*;
 
 use super::boundary::{Boundary, pull, pulls};
 use super::frame::Frame;
-use super::parts::{MID, Parts};
+use super::parts::Parts;
 use super::symmetry::MirrorMap;
 
 /// The parts with everything that the field needs of them, in the frame.
@@ -26,8 +26,10 @@ pub(crate) struct Propagation<'a> {
     pub(crate) rows: &'a [usize],
     /// Vertices in the frame (n).
     pub(crate) vertices: &'a [DVec3],
-    /// Symmetry to keep exactly: mid boxes do not move along its axis, mirror images move as such.
-    pub(crate) mirror: Option<&'a MirrorMap>,
+    /// Symmetry to keep exactly: mirror images move as such,
+    pub(crate) mirrors: &'a [MirrorMap],
+    /// and boxes (b) on a plane do not move along these axes, across it.
+    pub(crate) held: &'a [[bool; 3]],
     pub(crate) boundary: Boundary,
     /// Boundary steps: the (leader, follower) pairs of one stage act at once, stages one after another.
     pub(crate) stages: Vec<Vec<[i32; 2]>>,
@@ -61,7 +63,7 @@ impl Propagation<'_> {
                     pull(values, stage, change, &mut moved);
                 }
             }
-            if let Some(mirror) = self.mirror {
+            for mirror in self.mirrors {
                 symmetrise(values, mirror, axis, &mut moved);
             }
         });
@@ -79,9 +81,9 @@ impl Propagation<'_> {
             let mut moved = all[parent].clone();
             moved[self.rows[parent]] += p;
             moved[self.rows[child]] -= q;
-            if let (Some(mirror), MID) = (self.mirror, parts.box_side[child]) {
+            for axis in (0..3).filter(|&axis| self.held[child][axis]) {
                 for t in &mut moved {
-                    t[mirror.axis] = 0.0;
+                    t[axis] = 0.0;
                 }
             }
             all[child] = moved;

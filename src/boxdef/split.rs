@@ -3,8 +3,8 @@
 //!
 //! A box is scanned along each axis in slabs; where the projected area changes most between two adjacent
 //! slabs is the place to cut: the score is the ratio of the two areas over the length of the axis, and
-//! the lowest score of all boxes is cut first. On the symmetry axis a mid box is cut twice at equal
-//! distances, into a mid box and a pos box; the neg box is the pos box's mirror image.
+//! the lowest score of all boxes is cut first. A box on a plane of symmetry is cut across it twice at equal
+//! distances, into a box on the plane and one off it, which stands for its mirror images.
 //!
 //! Where this differs from the authors' program:
 //! - A number of splits is a budget. A clear cut must follow a step, not a slope: the areas must change clearly
@@ -20,8 +20,8 @@
 
 use super::frame::CELL;
 use super::occupancy::{CellBox, Occupancy};
-use super::parts::{MID, POS};
 use super::profile::{Profile, step};
+use super::symmetry::Symmetry;
 
 /// Cells to a slab: 0.1 of the frame's unit.
 const SLAB: usize = 10;
@@ -73,12 +73,19 @@ enum Demand {
 /// A box of cells with what is in it, on its way to a part box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Piece {
-    /// `MID` or `POS`.
-    pub(crate) side: i8,
-    /// Its share of space: pieces and the neg pieces' mirror images fill the grid without overlap.
+    /// Whether it lies off the plane of symmetry of each axis, on the positive side, and has a mirror image.
+    pub(crate) off_plane: [bool; 3],
+    /// Its share of space: pieces and their mirror images fill the grid without overlap.
     pub(crate) domain: CellBox,
     /// The filled cells in it.
     pub(crate) tight: CellBox,
+}
+
+impl Piece {
+    /// Whether it has mirror images.
+    pub(crate) fn is_mirrored(&self) -> bool {
+        self.off_plane.contains(&true)
+    }
 }
 
 /// A place to cut a piece: before the cells with index `at`.
@@ -89,14 +96,14 @@ struct Cut {
     score: f64,
 }
 
-/// Mid pieces, then pos pieces, after at most `splits` cuts.
+/// Pieces without mirror images, then those that have some, after at most `splits` cuts.
 ///
 /// Takes cells out of the grid: those that a cut leaves on the wrong side.
-pub(crate) fn split(occupancy: &mut Occupancy, splits: u32, axis: Option<usize>) -> Vec<Piece> {
+pub(crate) fn split(occupancy: &mut Occupancy, splits: u32, symmetry: Symmetry) -> Vec<Piece> {
     let whole = occupancy.whole();
     let tight = occupancy.tighten(&whole).unwrap_or(whole);
-    let mut splitter = Splitter { occupancy, symmetry: axis };
-    let first = Piece { side: MID, domain: whole, tight };
+    let mut splitter = Splitter { occupancy, symmetry };
+    let first = Piece { off_plane: [false; 3], domain: whole, tight };
     let mut pieces = vec![(first, splitter.best_cut(&first, Demand::Clear))];
     for done in 0..splits {
         if lowest(&pieces).is_none() && (1..GENEROUS).contains(&done) {
@@ -113,19 +120,22 @@ pub(crate) fn split(occupancy: &mut Occupancy, splits: u32, axis: Option<usize>)
         }
     }
     let mut pieces: Vec<Piece> = pieces.into_iter().map(|(piece, _)| piece).collect();
-    pieces.sort_by_key(|piece| piece.side);
+    pieces.sort_by_key(Piece::is_mirrored);
     pieces
 }
 
-/// The piece with the lowest score; mid before pos, then the earlier one.
+/// The piece with the lowest score; one without mirror images before one that has some, then the earlier.
 fn lowest(pieces: &[(Piece, Option<Cut>)]) -> Option<(usize, Cut)> {
-    let cuts = pieces.iter().enumerate().filter_map(|(i, (piece, cut))| cut.map(|cut| (i, piece.side, cut)));
+    let cuts = pieces
+        .iter()
+        .enumerate()
+        .filter_map(|(i, (piece, cut))| cut.map(|cut| (i, piece.is_mirrored(), cut)));
     cuts.min_by(|a, b| a.2.score.total_cmp(&b.2.score).then(a.1.cmp(&b.1))).map(|(i, _, cut)| (i, cut))
 }
 
 struct Splitter<'a> {
     occupancy: &'a mut Occupancy,
-    symmetry: Option<usize>,
+    symmetry: Symmetry,
 }
 
 impl Splitter<'_> {
@@ -159,7 +169,7 @@ impl Splitter<'_> {
             let doubled = self.is_doubled(piece, cut.axis);
             let kept = children.len() > usize::from(!doubled)
                 && children.iter().all(|child| child.tight.longest() >= LEAST_LENGTH);
-            let weight = |child: &Piece| if doubled && child.side == POS { 2.0 } else { 1.0 };
+            let weight = |child: &Piece| if doubled && child.off_plane[cut.axis] { 2.0 } else { 1.0 };
             let volume: f64 = children.iter().map(|c| weight(c) * c.tight.volume() as f64).sum();
             let share = volume / piece.tight.volume() as f64;
             kept.then_some((cut.score * share, !doubled, share, cut))
@@ -168,22 +178,24 @@ impl Splitter<'_> {
         best.map(|(score, .., cut)| Cut { score, ..cut })
     }
 
-    /// The pieces that a cut leaves; a neg piece goes without saying.
+    /// The pieces that a cut leaves; mirror images go without saying.
     fn cut(&self, piece: &Piece, cut: Cut) -> Vec<Piece> {
         let Cut { axis, at, .. } = cut;
-        let part = |side, low, high| {
+        let part = |beyond, low, high| {
             let domain = piece.domain.with(axis, low, high);
             let tight = self.occupancy.tighten(&domain.within(&piece.tight))?;
-            Some(Piece { side, domain, tight })
+            let mut off_plane = piece.off_plane;
+            off_plane[axis] |= beyond;
+            Some(Piece { off_plane, domain, tight })
         };
         let (low, high) = (piece.domain.low[axis], piece.domain.high[axis]);
         if !self.is_doubled(piece, axis) {
-            return [part(piece.side, at, high), part(piece.side, low, at)].into_iter().flatten().collect();
+            return [part(false, at, high), part(false, low, at)].into_iter().flatten().collect();
         }
         let middle = self.occupancy.size()[axis] / 2;
         let away = at.abs_diff(middle);
-        let inner = part(MID, middle - away, middle + away);
-        [inner, part(POS, middle + away, high)].into_iter().flatten().collect()
+        let inner = part(false, middle - away, middle + away);
+        [inner, part(true, middle + away, high)].into_iter().flatten().collect()
     }
 
     /// Cuts in the middle of runs of empty layers.
@@ -252,7 +264,7 @@ impl Splitter<'_> {
 
     /// Whether a piece is cut at both sides of the plane at once.
     fn is_doubled(&self, piece: &Piece, axis: usize) -> bool {
-        piece.side == MID && self.symmetry == Some(axis)
+        self.symmetry.axes().contains(&axis) && !piece.off_plane[axis]
     }
 
     /// Takes out what a cut leaves of one part on the side of the other: columns that reach through the
@@ -283,7 +295,7 @@ impl Splitter<'_> {
                 for _ in 0..depth {
                     self.occupancy.clear(cell);
                     if doubled {
-                        self.occupancy.clear(self.occupancy.mirrored(cell, axis));
+                        self.occupancy.clear(self.occupancy.mirrored(cell, &[axis]));
                     }
                     cell[axis] = if upwards { cell[axis] + 1 } else { cell[axis] - 1 };
                 }

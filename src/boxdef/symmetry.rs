@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Mirror symmetry: of the filled cells, and of the vertices.
 
+use std::str::FromStr;
+
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::error::BoxDefError;
 use super::nearest::Nearest;
 use super::occupancy::Occupancy;
 
-/// How a graph treats left and right.
+/// The axes to mirror about.
+pub(crate) type Way = &'static [usize];
+
+/// How a graph treats left and right, front and back.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Symmetry {
-    /// X if the shape mirrors about x, else y if it does about y, else none. Never z: what is above and
-    /// what is below mean different parts, even where they look alike.
+    /// About x, y or both, whichever the shape mirrors about, else none. Never z: what is above and what is
+    /// below mean different parts, even where they look alike.
     #[default]
     Auto,
     /// No symmetry: every box has its own parameters.
@@ -22,24 +28,63 @@ pub enum Symmetry {
     Y,
     /// The two sides of z share their parameters.
     Z,
+    /// All four corners share their parameters, and so do the two sides of what lies on one of the planes.
+    Xy,
 }
 
 impl Symmetry {
-    /// The axis, if one is named.
+    /// All of them.
+    pub const ALL: [Self; 6] = [Self::Auto, Self::None, Self::X, Self::Y, Self::Z, Self::Xy];
+
+    /// Its name.
     #[must_use]
-    pub fn axis(self) -> Option<usize> {
+    pub fn name(self) -> &'static str {
         match self {
-            Self::Auto | Self::None => None,
-            Self::X => Some(0),
-            Self::Y => Some(1),
-            Self::Z => Some(2),
+            Self::Auto => "auto",
+            Self::None => "none",
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+            Self::Xy => "xy",
         }
     }
 
-    /// The symmetry about an axis, or none.
+    /// The axes that are named: 0 x, 1 y, 2 z.
     #[must_use]
-    pub fn about(axis: Option<usize>) -> Self {
-        axis.and_then(|axis| [Self::X, Self::Y, Self::Z].get(axis).copied()).unwrap_or(Self::None)
+    pub fn axes(self) -> &'static [usize] {
+        match self {
+            Self::Auto | Self::None => &[],
+            Self::X => &[0],
+            Self::Y => &[1],
+            Self::Z => &[2],
+            Self::Xy => &[0, 1],
+        }
+    }
+
+    /// The symmetry about some axes; none where there is no such one.
+    #[must_use]
+    pub fn about(axes: &[usize]) -> Self {
+        Self::ALL.into_iter().skip(1).find(|known| known.axes() == axes).unwrap_or(Self::None)
+    }
+
+    /// The ways to mirror; the first leaves everything as it is.
+    pub(crate) fn ways(self) -> &'static [Way] {
+        match self {
+            Self::Auto | Self::None => &[&[]],
+            Self::X => &[&[], &[0]],
+            Self::Y => &[&[], &[1]],
+            Self::Z => &[&[], &[2]],
+            Self::Xy => &[&[], &[0], &[1], &[0, 1]],
+        }
+    }
+}
+
+impl FromStr for Symmetry {
+    type Err = BoxDefError;
+
+    fn from_str(name: &str) -> Result<Self, BoxDefError> {
+        let known = Self::ALL.into_iter().find(|symmetry| symmetry.name() == name);
+        known.ok_or_else(|| BoxDefError::Symmetry(name.into()))
     }
 }
 
@@ -47,11 +92,14 @@ impl Symmetry {
 /// for a symmetric one.
 const ENOUGH: f64 = 0.97;
 
-/// The axis about which a shape is to be treated as symmetric.
-pub(crate) fn resolve(symmetry: Symmetry, occupancy: &Occupancy) -> Option<usize> {
+/// The symmetry that a shape is to be treated with; never `Auto`.
+pub(crate) fn resolve(symmetry: Symmetry, occupancy: &Occupancy) -> Symmetry {
     match symmetry {
-        Symmetry::Auto => (0..2).find(|&axis| is_mirrored(occupancy, axis)),
-        named => named.axis(),
+        Symmetry::Auto => {
+            let axes: Vec<usize> = (0..2).filter(|&axis| is_mirrored(occupancy, axis)).collect();
+            Symmetry::about(&axes)
+        }
+        named => named,
     }
 }
 
@@ -75,7 +123,7 @@ impl MirrorMap {
     pub(crate) fn of(vertices: &[DVec3], axis: usize) -> Self {
         let tree = Nearest::new(vertices, 0..vertices.len() as u32);
         let candidate = |point: DVec3| {
-            let (found, distance) = tree.one(mirrored(point, axis));
+            let (found, distance) = tree.one(mirrored(point, &[axis]));
             (distance <= SAME_PLACE).then_some(found)
         };
         let first: Vec<Option<u32>> = vertices.par_iter().map(|&v| candidate(v)).collect();
@@ -96,8 +144,10 @@ impl MirrorMap {
     }
 }
 
-/// A point's mirror image about the plane through the origin.
-pub(crate) fn mirrored(mut point: DVec3, axis: usize) -> DVec3 {
-    point[axis] = -point[axis];
+/// A point's mirror image about the planes through the origin.
+pub(crate) fn mirrored(mut point: DVec3, axes: &[usize]) -> DVec3 {
+    for &axis in axes {
+        point[axis] = -point[axis];
+    }
     point
 }

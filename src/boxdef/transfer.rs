@@ -10,7 +10,7 @@ use super::field::DeformField;
 use super::frame::Frame;
 use super::nearest::Nearest;
 use super::parts::Parts;
-use super::symmetry::{MirrorMap, mirrored};
+use super::symmetry::{MirrorMap, Symmetry};
 
 /// Vertices that a point takes its field from. The farthest has weight 0, so that the field does not jump
 /// where it changes.
@@ -22,26 +22,30 @@ pub(crate) struct Transfer<'a> {
     pub(crate) parts: &'a Parts,
     pub(crate) rows: &'a [usize],
     pub(crate) field: &'a DeformField,
-    pub(crate) symmetry: Option<usize>,
+    pub(crate) symmetry: Symmetry,
 }
 
 /// Where a point takes its field from.
 struct Source {
-    /// The point in the frame, on the positive side if the mesh is symmetric.
+    /// The point in the frame, on the positive sides of the planes that the mesh mirrors about.
     place: DVec3,
-    reflected: bool,
+    /// Whether it lies on the negative side of each.
+    reflected: [bool; 3],
     /// Vertices with their weights, which add up to 1.
     weights: Vec<(u32, f64)>,
 }
 
 impl Source {
-    fn at_point(tree: &Nearest, point: DVec3, fold: Option<usize>) -> Self {
+    fn at_point(tree: &Nearest, point: DVec3, folds: &[usize]) -> Self {
         let (nearest, distance) = tree.one(point);
         if distance == 0.0 {
-            return Self { place: point, reflected: false, weights: vec![(nearest, 1.0)] };
+            return Self { place: point, reflected: [false; 3], weights: vec![(nearest, 1.0)] };
         }
-        let reflected = fold.is_some_and(|axis| point[axis] < 0.0);
-        let place = if let (Some(axis), true) = (fold, reflected) { mirrored(point, axis) } else { point };
+        let (mut place, mut reflected) = (point, [false; 3]);
+        for &axis in folds {
+            reflected[axis] = point[axis] < 0.0;
+            place[axis] = point[axis].abs();
+        }
         let near = tree.some(place, NEIGHBOURS);
         let reach = near.last().map_or(0.0, |last| last.1);
         // Falls to 0 at the farthest, rises without limit towards 0 (Franke and Little's weights).
@@ -66,10 +70,11 @@ impl Transfer<'_> {
         let vertices: Vec<DVec3> = self.field.rest().iter().map(|&v| self.frame.to_frame(v)).collect();
         let tree = Nearest::new(&vertices, 0..vertices.len() as u32);
         // Only a mesh that is its own mirror image can be asked on one side for the other.
-        let fold = self.symmetry.filter(|&axis| MirrorMap::of(&vertices, axis).is_complete());
+        let mut folds = self.symmetry.axes().to_vec();
+        folds.retain(|&axis| MirrorMap::of(&vertices, axis).is_complete());
         let sources: Vec<Source> = points
             .par_iter()
-            .map(|&point| Source::at_point(&tree, self.frame.to_frame(point), fold))
+            .map(|&point| Source::at_point(&tree, self.frame.to_frame(point), &folds))
             .collect();
         let (count, rows) = (points.len(), self.field.parameter_rows());
         let mut basis = vec![0.0_f32; 3 * rows * count];
@@ -78,7 +83,7 @@ impl Transfer<'_> {
                 let (axis, row) = (plane / rows, plane % rows);
                 let known = &self.field.basis()[plane * vertices.len()..(plane + 1) * vertices.len()];
                 for (value, source) in values.iter_mut().zip(&sources) {
-                    *value = self.value(known, &vertices, source, axis, row, fold);
+                    *value = self.value(known, &vertices, source, axis, row, &folds);
                 }
             });
         }
@@ -92,9 +97,9 @@ impl Transfer<'_> {
         source: &Source,
         axis: usize,
         row: usize,
-        fold: Option<usize>,
+        folds: &[usize],
     ) -> f32 {
-        let across = fold == Some(axis);
+        let across = folds.contains(&axis);
         if across && source.place[axis] == 0.0 {
             return 0.0;
         }
@@ -112,6 +117,6 @@ impl Transfer<'_> {
                 weight * (f64::from(known[vertex]) + beyond)
             })
             .sum();
-        if across && source.reflected { -sum as f32 } else { sum as f32 }
+        if across && source.reflected[axis] { -sum as f32 } else { sum as f32 }
     }
 }

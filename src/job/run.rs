@@ -229,7 +229,7 @@ impl Run<'_> {
             splits: best.stage.splits,
             locked: spec.locked.clone(),
             scale_range: spec.scale_range.into(),
-            symmetry: graph.symmetry_axis().map(|axis| ["x", "y", "z"][axis].into()),
+            symmetry: graph.symmetry().name().into(),
             boundary: graph.boundary().name().into(),
             renderer: spent.renderer,
             vertices: spec.mesh.vertices().len(),

@@ -45,26 +45,12 @@ impl PyMesh {
 #[pyclass(frozen, name = "BoxDefGraph", module = "boxmorph")]
 pub struct PyBoxDefGraph(pub Arc<BoxDefGraph>);
 
-/// The symmetry of that name.
-pub fn symmetry(name: &str) -> PyResult<Symmetry> {
-    match name {
-        "auto" => Ok(Symmetry::Auto),
-        "none" => Ok(Symmetry::None),
-        "x" => Ok(Symmetry::X),
-        "y" => Ok(Symmetry::Y),
-        "z" => Ok(Symmetry::Z),
-        _ => Err(PyValueError::new_err(format!(
-            "unknown symmetry \"{name}\": choose \"auto\", \"none\", \"x\", \"y\" or \"z\""
-        ))),
-    }
-}
-
 #[pymethods]
 impl PyBoxDefGraph {
     #[staticmethod]
     #[pyo3(signature = (mesh, splits=3, symmetry="auto", boundary="smooth"))]
     fn build(py: Python<'_>, mesh: &PyMesh, splits: u32, symmetry: &str, boundary: &str) -> PyResult<Self> {
-        let symmetry = self::symmetry(symmetry)?;
+        let symmetry = symmetry.parse().map_err(IntoPyErr::into_py_err)?;
         let boundary = boundary.parse().map_err(IntoPyErr::into_py_err)?;
         let graph = py.detach(|| BoxDefGraph::build(&mesh.0, splits, symmetry, boundary));
         Ok(Self(Arc::new(graph.map_err(IntoPyErr::into_py_err)?)))
@@ -82,7 +68,7 @@ impl PyBoxDefGraph {
     ) -> PyResult<Self> {
         let center = arrays::vectors(box_center, "box_center")?;
         let half_size = arrays::vectors(box_half_size, "box_half_size")?;
-        let symmetry = self::symmetry(symmetry)?;
+        let symmetry = symmetry.parse().map_err(IntoPyErr::into_py_err)?;
         let boundary = boundary.parse().map_err(IntoPyErr::into_py_err)?;
         let graph = py.detach(|| BoxDefGraph::from_boxes(&mesh.0, &center, &half_size, symmetry, boundary));
         Ok(Self(Arc::new(graph.map_err(IntoPyErr::into_py_err)?)))
@@ -90,7 +76,7 @@ impl PyBoxDefGraph {
 
     #[staticmethod]
     #[pyo3(signature = (mesh, box_center, box_half_size, box_side, assignment, tree_edges, tree_parent_point,
-                        tree_child_point, edges, boundary="paper"))]
+                        tree_child_point, edges, boundary="paper", box_row=None))]
     #[expect(clippy::too_many_arguments, reason = "the arrays of the reference data, by their names")]
     fn from_parts(
         mesh: &PyMesh,
@@ -103,13 +89,20 @@ impl PyBoxDefGraph {
         tree_child_point: &Bound<'_, PyAny>,
         edges: &Bound<'_, PyAny>,
         boundary: &str,
+        box_row: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let boundary = boundary.parse().map_err(IntoPyErr::into_py_err)?;
         let side = |s: i32| i8::try_from(s).unwrap_or(i8::MAX);
+        let box_side: Vec<i8> = arrays::integers(box_side, "box_side")?.into_iter().map(side).collect();
+        let box_row = match box_row {
+            Some(rows) => arrays::integers(rows, "box_row")?,
+            None => Parts::rows_of_twins(&box_side).map_err(IntoPyErr::into_py_err)?,
+        };
         let parts = Parts {
             box_center: arrays::vectors(box_center, "box_center")?,
             box_half_size: arrays::vectors(box_half_size, "box_half_size")?,
-            box_side: arrays::integers(box_side, "box_side")?.into_iter().map(side).collect(),
+            box_side,
+            box_row,
             assignment: arrays::integers(assignment, "assignment")?,
             tree_edges: arrays::pairs(tree_edges, "tree_edges")?,
             tree_parent_point: arrays::vectors(tree_parent_point, "tree_parent_point")?,
@@ -160,10 +153,11 @@ impl PyBoxDefGraph {
         PyArray1::from_iter(py, self.0.parameter_row_of_box().iter().map(|&row| row as i32))
     }
 
-    /// The axis of symmetry, "x", "y" or "z"; None where there is none.
+    /// The symmetry, "x", "y", "z" or "xy"; None where there is none.
     #[getter]
     fn symmetry(&self) -> Option<&'static str> {
-        self.0.symmetry_axis().map(|axis| ["x", "y", "z"][axis])
+        let symmetry = self.0.symmetry();
+        (symmetry != Symmetry::None).then(|| symmetry.name())
     }
 
     fn deform<'py>(&self, py: Python<'py>, scales: &Bound<'_, PyAny>) -> PyResult<Bound<'py, PyArray2<f32>>> {

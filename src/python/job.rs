@@ -10,7 +10,7 @@ use pyo3::types::PyDict;
 
 use super::arrays;
 use super::errors::IntoPyErr;
-use super::graph::{self, PyBoxDefGraph, PyMesh};
+use super::graph::{PyBoxDefGraph, PyMesh};
 use super::guide::PyGuide;
 use crate::guide::Guide;
 use crate::job::{Job, JobSpec, Outcome};
@@ -59,7 +59,7 @@ impl PyJob {
             locked: locked.map(|locked| arrays::flags(locked, "locked")).transpose()?,
             scale_range,
             splits: splits.map(self::splits).transpose()?.flatten(),
-            symmetry: graph::symmetry(symmetry)?,
+            symmetry: symmetry.parse().map_err(IntoPyErr::into_py_err)?,
             boundary: boundary.map(str::parse).transpose().map_err(IntoPyErr::into_py_err)?,
             backend: renderer.parse().map_err(|e| IntoPyErr::into_py_err(&e))?,
             keep_size: keep_size.map(self::keep_size).transpose()?,

@@ -116,6 +116,7 @@ mod tests {
             box_center: boxes.iter().map(|b| b.0).collect(),
             box_half_size: boxes.iter().map(|b| b.1).collect(),
             box_side: vec![0; 3],
+            box_row: vec![0, 1, 2],
             assignment,
             tree_edges: vec![[0, 1], [0, 2]],
             tree_parent_point: vec![point(-0.9), point(0.8)],
