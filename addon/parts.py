@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The parts of an object: found on request, kept with the object, and locked by the user.
 
-A part is one parameter row of the BoxDefGraph: a box, or two or four that mirror each other and scale alike. What is
-found is kept in `Object.boxmorph`, so that locks survive saving and undo.
+A part is one parameter row of the BoxDefGraph: a box, or two or four that mirror each other and scale alike.
+What
+is found is kept in `Object.boxmorph`, so that locks survive saving and undo.
 """
 
 import colorsys

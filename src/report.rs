@@ -65,6 +65,8 @@ pub struct Report {
     pub stop_reason: String,
     /// Scale factors per parameter row and axis.
     pub scales: Vec<[f32; 3]>,
+    /// Shifts per parameter row and axis, where parts were allowed to be shifted.
+    pub shifts: Option<Vec<[f32; 3]>>,
     /// The gauge's factor on positions.
     pub gauge_scale: f32,
     /// The gauge's shift of positions, after its factor.

@@ -81,11 +81,21 @@ class BoxDefGraph:
     def parameter_row_of_box(self) -> NDArray[np.int32]: ...  # (b,)
     @property
     def symmetry(self) -> Literal["x", "y", "z", "xy"] | None: ...
-    def deform(self, scales: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Scale factors (P, 3), 1 = unchanged, to positions (n, 3)."""
+    def deform(
+        self, scales: NDArray[np.float32], shifts: NDArray[np.float32] | None = None
+    ) -> NDArray[np.float32]:
+        """Scale factors (P, 3), 1 = unchanged, and shifts (P, 3) in object units, to positions (n, 3).
+
+        A shift moves a part and all that hangs on it; mirror images move the mirrored way.
+        """
 
     def field(self) -> NDArray[np.float32]:
         """The field B, (3, P, n): V_a(c) = V_a + sum over p of (c[p, a] - 1) B[a, p]."""
+
+    def shift_room(self) -> NDArray[np.float32]:
+        """Least and greatest shift of each parameter row along each axis, (P, 3, 2), in object units: as far as
+        its parts stay on those they hang on. Both are 0 where there is no room.
+        """
 
 def own_turn(mesh: Mesh) -> float:
     """The angle about z, in radians, by which to turn a mesh so that its own axes lie along x and y, where
@@ -140,11 +150,12 @@ class Job:
         seed: int = 0,
         *,
         splits: Literal["auto"] | int | None = None,
-        symmetry: Symmetry = "auto",
+        symmetry: Symmetry | None = None,  # None: the preset's
         boundary: Boundary | None = None,  # None: the preset's
         graph: BoxDefGraph | None = None,  # parts that are known already; None finds them
         locked: NDArray[np.bool_] | None = None,  # (P, 3), what of the graph keeps its scale
         scale_range: tuple[float, float] = (0.3, 3.1),  # least and greatest scale factor
+        shift_parts: bool = False,  # whether parts may also be shifted over those they hang on
         renderer: Renderer = "auto",
         keep_size: Literal["diagonal", "height", "footprint", "off"]
         | None = None,  # None: the diagonal; with locks "off", so that what is locked keeps its size
@@ -177,6 +188,8 @@ class Result:
     def points(self) -> NDArray[np.float32] | None: ...  # (k, 3)
     @property
     def scales(self) -> NDArray[np.float32]: ...  # (P, 3)
+    @property
+    def shifts(self) -> NDArray[np.float32] | None: ...  # (P, 3), in object units; None without shift_parts
     @property
     def score_before(self) -> float: ...
     @property

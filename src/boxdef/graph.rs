@@ -12,9 +12,11 @@ use super::field::DeformField;
 use super::frame::Frame;
 use super::given::given_boxes;
 use super::islands::{islands, places};
+use super::layout::Layout;
 use super::occupancy::Occupancy;
 use super::parts::{NEG, POS, Parts, check_boxes};
-use super::propagate::Propagation;
+use super::propagate::{Motion, Propagation};
+use super::room::room;
 use super::split::split;
 use super::symmetry::{self, MirrorMap, Symmetry};
 use super::transfer::Transfer;
@@ -23,12 +25,8 @@ use crate::mesh::Mesh;
 /// Part boxes of a mesh, the tree and graph edges between them, and the deformation field.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoxDefGraph {
-    parts: Parts,
+    layout: Layout,
     rows: Vec<usize>,
-    parameter_rows: usize,
-    symmetry: Symmetry,
-    boundary: Boundary,
-    frame: Frame,
     field: DeformField,
 }
 
@@ -41,9 +39,9 @@ impl BoxDefGraph {
         let frame = Frame::of_vertices(mesh);
         let stages = parts.edges.iter().flat_map(|&[a, b]| [vec![[a, b]], vec![[b, a]]]).collect();
         let symmetry = symmetry_of(&parts);
-        let vertices = frame.vertices(mesh);
         let held = vec![[false; 3]; parts.box_center.len()];
-        Ok(Self::assemble(mesh, parts, frame, &vertices, symmetry, &[], &held, boundary, stages))
+        let layout = Layout { parts, frame, symmetry, exact: false, held, boundary, stages };
+        Ok(Self::assemble(mesh, layout, &frame.vertices(mesh), &[]))
     }
 
     /// Finds the parts of a mesh with at most `splits` (1 to 8) cuts, fewer where no cut is worth it.
@@ -121,28 +119,15 @@ impl BoxDefGraph {
             connections.stages.into_iter().map(|stage| stage.into_iter().map(pair).collect()).collect();
         let is_held = |b: usize| [0, 1, 2].map(|a| symmetry.axes().contains(&a) && boxes[b].images[a] == b);
         let held: Vec<[bool; 3]> = (0..boxes.len()).map(is_held).collect();
-        Self::assemble(mesh, parts, *frame, vertices, symmetry, &mirrors, &held, boundary, stages)
+        let layout = Layout { parts, frame: *frame, symmetry, exact: true, held, boundary, stages };
+        Self::assemble(mesh, layout, vertices, &mirrors)
     }
 
-    #[expect(clippy::too_many_arguments, reason = "what both ways to a graph end in")]
-    fn assemble(
-        mesh: &Mesh,
-        parts: Parts,
-        frame: Frame,
-        vertices: &[DVec3],
-        symmetry: Symmetry,
-        mirrors: &[MirrorMap],
-        held: &[[bool; 3]],
-        boundary: Boundary,
-        stages: Vec<Vec<[i32; 2]>>,
-    ) -> Self {
-        let rows: Vec<usize> = parts.box_row.iter().map(|&row| row as usize).collect();
-        let parameter_rows = rows.iter().max().map_or(0, |row| row + 1);
-        let propagation =
-            Propagation { frame, parts: &parts, rows: &rows, vertices, mirrors, held, boundary, stages };
-        let basis = propagation.basis(parameter_rows);
-        let field = DeformField::new(mesh.vertices().to_vec(), parameter_rows, basis);
-        Self { parts, rows, parameter_rows, symmetry, boundary, frame, field }
+    fn assemble(mesh: &Mesh, layout: Layout, vertices: &[DVec3], mirrors: &[MirrorMap]) -> Self {
+        let rows: Vec<usize> = layout.parts.box_row.iter().map(|&row| row as usize).collect();
+        let basis = Propagation { layout: &layout, vertices, mirrors }.basis(&[Motion::Scale]);
+        let field = DeformField::new(mesh.vertices().to_vec(), layout.parameter_rows(), basis);
+        Self { layout, rows, field }
     }
 }
 
@@ -184,49 +169,49 @@ impl BoxDefGraph {
     /// Centre of each box (b), in object coordinates.
     #[must_use]
     pub fn box_center(&self) -> &[Vec3] {
-        &self.parts.box_center
+        &self.layout.parts.box_center
     }
 
     /// Half the extent of each box (b).
     #[must_use]
     pub fn box_half_size(&self) -> &[Vec3] {
-        &self.parts.box_half_size
+        &self.layout.parts.box_half_size
     }
 
     /// Side of each box (b): 0 mid, 1 pos, 2 neg.
     #[must_use]
     pub fn box_side(&self) -> &[i8] {
-        &self.parts.box_side
+        &self.layout.parts.box_side
     }
 
     /// Box that owns each vertex (n).
     #[must_use]
     pub fn assignment(&self) -> &[i32] {
-        &self.parts.assignment
+        &self.layout.parts.assignment
     }
 
     /// (parent, child) pairs (b − 1), from the root outwards.
     #[must_use]
     pub fn tree_edges(&self) -> &[[i32; 2]] {
-        &self.parts.tree_edges
+        &self.layout.parts.tree_edges
     }
 
     /// (leader, follower) pairs of adjacent boxes (e).
     #[must_use]
     pub fn edges(&self) -> &[[i32; 2]] {
-        &self.parts.edges
+        &self.layout.parts.edges
     }
 
     /// All of the above with the constraint points: what `from_parts` takes.
     #[must_use]
     pub fn parts(&self) -> &Parts {
-        &self.parts
+        &self.layout.parts
     }
 
     /// Number of parameter rows, P: mid and pos boxes; a neg box shares its twin's.
     #[must_use]
     pub fn parameter_rows(&self) -> usize {
-        self.parameter_rows
+        self.field.scale_rows()
     }
 
     /// Parameter row of each box (b).
@@ -238,13 +223,13 @@ impl BoxDefGraph {
     /// The symmetry that was found or asked for; never `Auto`.
     #[must_use]
     pub fn symmetry(&self) -> Symmetry {
-        self.symmetry
+        self.layout.symmetry
     }
 
     /// How parts follow each other where they meet.
     #[must_use]
     pub fn boundary(&self) -> Boundary {
-        self.boundary
+        self.layout.boundary
     }
 
     /// The deformation field of the mesh's vertices.
@@ -253,31 +238,67 @@ impl BoxDefGraph {
         &self.field
     }
 
-    /// The same field at other `points` in object coordinates: a base mesh under its modifiers, a proxy.
+    /// The field with P rows for shifts after those for scale factors: the positions also follow shifts of the
+    /// parts along the axes, which mirror images do the mirrored way.
+    #[must_use]
+    pub fn field_with_shifts(&self) -> DeformField {
+        let vertices: Vec<DVec3> = self.field.rest().iter().map(|&v| self.layout.frame.to_frame(v)).collect();
+        let mirrors = self.layout.mirrors(&vertices);
+        let propagation = Propagation { layout: &self.layout, vertices: &vertices, mirrors: &mirrors };
+        let basis = propagation.basis(&[Motion::Scale, Motion::Shift]);
+        let rows = self.parameter_rows();
+        DeformField::with_shifts(self.field.rest().to_vec(), rows, rows, basis)
+    }
+
+    /// The object's reach: the unit of the shifts among a field's factors, in object units.
+    #[must_use]
+    pub fn reach(&self) -> f32 {
+        self.layout.frame.unit as f32
+    }
+
+    /// How far each parameter row can be shifted along each axis (P), in object units: least and greatest, such
+    /// that its parts stay on those they hang on. Both are 0 where there is no room.
+    #[must_use]
+    pub fn shift_room(&self) -> Vec<[(f32, f32); 3]> {
+        room(&self.layout)
+    }
+
+    /// A field of this graph at other `points` in object coordinates: a base mesh under its modifiers, a proxy.
+    /// `field` is [`Self::field`] or [`Self::field_with_shifts`].
     ///
     /// A point in a vertex's place moves exactly as the vertex does; if the mesh is its own mirror image,
     /// mirror images move as such.
-    pub fn field_at(&self, points: &[Vec3]) -> Result<DeformField, BoxDefError> {
+    pub fn field_at(&self, field: &DeformField, points: &[Vec3]) -> Result<DeformField, BoxDefError> {
         if let Some(row) = points.iter().position(|point| !point.is_finite()) {
             return Err(BoxDefError::NotFinite { name: "points", row });
         }
-        let (parts, rows, field) = (&self.parts, &self.rows[..], &self.field);
-        Ok(Transfer { frame: self.frame, parts, rows, field, symmetry: self.symmetry }.at(points))
+        Ok(Transfer { layout: &self.layout, field }.at(points))
     }
 
     /// Positions (n) for P rows of scale factors, 1 = unchanged; neither re-centred nor re-scaled.
     pub fn deform(&self, scales: &[Vec3]) -> Result<Vec<Vec3>, BoxDefError> {
-        if scales.len() != self.parameter_rows {
-            return Err(BoxDefError::Length {
-                name: "scales",
-                found: scales.len(),
-                expected: self.parameter_rows,
-                why: "one for each parameter row of the graph",
-            });
-        }
-        if let Some(row) = scales.iter().position(|scale| !scale.is_finite()) {
-            return Err(BoxDefError::NotFinite { name: "scales", row });
-        }
+        self.check_rows("scales", scales)?;
         Ok(self.field.deform(scales))
+    }
+
+    /// Positions (n) for P rows of scale factors and P rows of shifts in object units, 0 = unchanged.
+    pub fn deform_shifted(&self, scales: &[Vec3], shifts: &[Vec3]) -> Result<Vec<Vec3>, BoxDefError> {
+        self.check_rows("scales", scales)?;
+        self.check_rows("shifts", shifts)?;
+        let shifts = shifts.iter().map(|&shift| 1.0 + shift / self.reach());
+        let factors: Vec<Vec3> = scales.iter().copied().chain(shifts).collect();
+        Ok(self.field_with_shifts().deform(&factors))
+    }
+
+    fn check_rows(&self, name: &'static str, rows: &[Vec3]) -> Result<(), BoxDefError> {
+        let (found, expected) = (rows.len(), self.parameter_rows());
+        if found != expected {
+            let why = "one for each parameter row of the graph";
+            return Err(BoxDefError::Length { name, found, expected, why });
+        }
+        match rows.iter().position(|row| !row.is_finite()) {
+            Some(row) => Err(BoxDefError::NotFinite { name, row }),
+            None => Ok(()),
+        }
     }
 }

@@ -7,10 +7,9 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::field::DeformField;
-use super::frame::Frame;
+use super::layout::Layout;
 use super::nearest::Nearest;
-use super::parts::Parts;
-use super::symmetry::{MirrorMap, Symmetry};
+use super::symmetry::MirrorMap;
 
 /// Vertices that a point takes its field from. The farthest has weight 0, so that the field does not jump
 /// where it changes.
@@ -18,11 +17,8 @@ const NEIGHBOURS: NonZero<usize> = NonZero::new(7).unwrap();
 
 /// A mesh's field and what it takes to evaluate it elsewhere.
 pub(crate) struct Transfer<'a> {
-    pub(crate) frame: Frame,
-    pub(crate) parts: &'a Parts,
-    pub(crate) rows: &'a [usize],
+    pub(crate) layout: &'a Layout,
     pub(crate) field: &'a DeformField,
-    pub(crate) symmetry: Symmetry,
 }
 
 /// Where a point takes its field from.
@@ -67,15 +63,14 @@ impl Transfer<'_> {
     /// A point in a vertex's place moves as the vertex does. Elsewhere it moves as the nearest vertices
     /// would if they lay there, scaled by their own boxes, weighed by nearness.
     pub(crate) fn at(&self, points: &[Vec3]) -> DeformField {
-        let vertices: Vec<DVec3> = self.field.rest().iter().map(|&v| self.frame.to_frame(v)).collect();
+        let frame = self.layout.frame;
+        let vertices: Vec<DVec3> = self.field.rest().iter().map(|&v| frame.to_frame(v)).collect();
         let tree = Nearest::new(&vertices, 0..vertices.len() as u32);
         // Only a mesh that is its own mirror image can be asked on one side for the other.
-        let mut folds = self.symmetry.axes().to_vec();
+        let mut folds = self.layout.symmetry.axes().to_vec();
         folds.retain(|&axis| MirrorMap::of(&vertices, axis).is_complete());
-        let sources: Vec<Source> = points
-            .par_iter()
-            .map(|&point| Source::at_point(&tree, self.frame.to_frame(point), &folds))
-            .collect();
+        let sources: Vec<Source> =
+            points.par_iter().map(|&point| Source::at_point(&tree, frame.to_frame(point), &folds)).collect();
         let (count, rows) = (points.len(), self.field.parameter_rows());
         let mut basis = vec![0.0_f32; 3 * rows * count];
         if count > 0 {
@@ -87,7 +82,8 @@ impl Transfer<'_> {
                 }
             });
         }
-        DeformField::new(points.to_vec(), rows, basis)
+        let scale_rows = self.field.scale_rows();
+        DeformField::with_shifts(points.to_vec(), scale_rows, rows - scale_rows, basis)
     }
 
     fn value(
@@ -108,9 +104,10 @@ impl Transfer<'_> {
             .iter()
             .map(|&(vertex, weight)| {
                 let vertex = vertex as usize;
-                let owner = self.parts.assignment[vertex] as usize;
-                let beyond = if self.rows[owner] == row {
-                    (source.place[axis] - vertices[vertex][axis]) * self.frame.unit
+                let owner = self.layout.parts.assignment[vertex] as usize;
+                // A row of shifts is that of no box, so what is shifted goes along as it is.
+                let beyond = if self.layout.row(owner) == row {
+                    (source.place[axis] - vertices[vertex][axis]) * self.layout.frame.unit
                 } else {
                     0.0
                 };

@@ -43,10 +43,12 @@ pub struct JobSpec {
     pub locked: Option<Vec<[bool; 3]>>,
     /// Least and greatest scale factor.
     pub scale_range: (f32, f32),
+    /// Whether parts may also be shifted over those they hang on.
+    pub shift_parts: bool,
     /// Split count; `None` tries those of the preset and keeps the best.
     pub splits: Option<u32>,
-    /// Symmetry of the part boxes.
-    pub symmetry: Symmetry,
+    /// Symmetry of the part boxes; `None` takes the preset's.
+    pub symmetry: Option<Symmetry>,
     /// How parts follow each other where they meet; `None` takes the preset's.
     pub boundary: Option<Boundary>,
     /// Who draws.

@@ -21,20 +21,12 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// Computes the fields.
-    pub fn new(
-        splits: Option<u32>,
-        graph: Arc<BoxDefGraph>,
-        points: Option<&[Vec3]>,
-    ) -> Result<Self, BoxDefError> {
-        let field = Arc::new(graph.field().clone());
-        let points_field = points.map(|points| graph.field_at(points)).transpose()?;
+    /// Computes the fields that the job asks for.
+    pub fn new(splits: Option<u32>, graph: Arc<BoxDefGraph>, spec: &JobSpec) -> Result<Self, BoxDefError> {
+        let field = if spec.shift_parts { graph.field_with_shifts() } else { graph.field().clone() };
+        let field = Arc::new(field);
+        let points_field = spec.points.as_ref().map(|points| graph.field_at(&field, points)).transpose()?;
         Ok(Self { splits, graph, field, points_field })
-    }
-
-    /// Scale factors that change nothing.
-    pub fn unchanged(&self) -> Vec<Vec3> {
-        vec![Vec3::ONE; self.graph.parameter_rows()]
     }
 }
 
@@ -42,7 +34,7 @@ impl Stage {
 #[derive(Debug, Clone)]
 pub struct Best {
     pub score: f64,
-    pub scales: Vec<Vec3>,
+    pub factors: Vec<Vec3>,
     pub stage: Arc<Stage>,
 }
 
@@ -53,9 +45,21 @@ impl Best {
         self.points(gauge).unwrap_or(vertices)
     }
 
+    /// Scale factors, a row a parameter row.
+    pub fn scales(&self) -> &[Vec3] {
+        &self.factors[..self.stage.field.scale_rows()]
+    }
+
+    /// Shifts in object units, a row a parameter row; none where parts may not be shifted.
+    pub fn shifts(&self) -> Option<Vec<Vec3>> {
+        let shifts = &self.factors[self.stage.field.scale_rows()..];
+        let reach = self.stage.graph.reach();
+        (!shifts.is_empty()).then(|| shifts.iter().map(|&factor| (factor - 1.0) * reach).collect())
+    }
+
     /// The gauge and the mesh's positions under it.
     pub fn gauged(&self, spec: &JobSpec) -> (Gauge, Vec<Vec3>) {
-        let mut vertices = self.stage.field.deform(&self.scales);
+        let mut vertices = self.stage.field.deform(&self.factors);
         let gauge = Gauge::new(spec.mesh.vertices(), &vertices, spec.kept_size(), spec.keep_place);
         gauge.apply(&mut vertices);
         (gauge, vertices)
@@ -63,7 +67,7 @@ impl Best {
 
     /// The extra points' positions under a gauge.
     pub fn points(&self, gauge: Gauge) -> Option<Vec<Vec3>> {
-        let mut points = self.stage.points_field.as_ref()?.deform(&self.scales);
+        let mut points = self.stage.points_field.as_ref()?.deform(&self.factors);
         gauge.apply(&mut points);
         Some(points)
     }
@@ -76,8 +80,11 @@ pub struct Outcome {
     pub vertices: Vec<Vec3>,
     /// Positions of the extra points, gauge applied, where points were given.
     pub points: Option<Vec<Vec3>>,
-    /// Scale factors, one row per parameter row of the graph. `graph.deform(scales)` is `vertices` but for the gauge.
+    /// Scale factors, one row per parameter row of the graph. `graph.deform(scales)`, or `deform_shifted` where parts
+    /// were shifted, is `vertices` but for the gauge.
     pub scales: Vec<Vec3>,
+    /// Shifts in object units, one row per parameter row, where parts may be shifted.
+    pub shifts: Option<Vec<Vec3>>,
     /// The part graph of the winning split count.
     pub graph: Arc<BoxDefGraph>,
     /// The range of the slider.

@@ -78,7 +78,7 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
     for (index, stage) in stages.iter().enumerate() {
         let again = stages[..index].iter().filter(|earlier| Arc::ptr_eq(earlier, stage)).count();
         let seed = spec.seed.wrapping_add(again as u64 * AGAIN);
-        run.search(stage, &Start { scales: run.start_of(stage), sigma: spec.preset.sigma, seed })?;
+        run.search(stage, &Start { factors: run.start_of(stage), sigma: spec.preset.sigma, seed })?;
     }
     if let Some(stage) = stages.last() {
         for restart in 1..=spec.preset.restarts {
@@ -86,7 +86,7 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
                 break;
             }
             let seed = spec.seed.wrapping_sub(restart as u64 * AGAIN);
-            run.search(stage, &Start { scales: stage.unchanged(), sigma: WIDE, seed })?;
+            run.search(stage, &Start { factors: stage.field.unchanged(), sigma: WIDE, seed })?;
         }
     }
     run.outcome()
@@ -96,14 +96,15 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
 /// then searched again, from another seed.
 fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError> {
     if let Some(graph) = &spec.graph {
-        return Ok(vec![Arc::new(Stage::new(None, graph.clone(), spec.points.as_deref())?)]);
+        return Ok(vec![Arc::new(Stage::new(None, graph.clone(), spec)?)]);
     }
     let counts = spec.splits.map_or_else(|| spec.preset.splits.to_vec(), |splits| vec![splits]);
+    let symmetry = spec.symmetry.unwrap_or(spec.preset.symmetry);
     let boundary = spec.boundary.unwrap_or(spec.preset.boundary);
     let mut stages: Vec<Arc<Stage>> = Vec::new();
     for splits in counts {
         check(harness)?;
-        let graph = Arc::new(BoxDefGraph::build(&spec.mesh, splits, spec.symmetry, boundary)?);
+        let graph = Arc::new(BoxDefGraph::build(&spec.mesh, splits, symmetry, boundary)?);
         let known = |stage: &Arc<Stage>| {
             stage.graph.box_center() == graph.box_center() && stage.graph.assignment() == graph.assignment()
         };
@@ -111,7 +112,7 @@ fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError
             stages.push(same.clone());
             continue;
         }
-        stages.push(Arc::new(Stage::new(Some(splits), graph, spec.points.as_deref())?));
+        stages.push(Arc::new(Stage::new(Some(splits), graph, spec)?));
     }
     Ok(stages)
 }
@@ -132,12 +133,12 @@ struct Run<'a> {
 impl Run<'_> {
     /// Where the first search of a stage starts: at the best so far, if the preset has it so.
     fn start_of(&self, stage: &Stage) -> Vec<Vec3> {
-        match &self.winner {
-            Some(w) if self.spec.preset.inherit => {
-                search::inherit(&stage.graph, &w.best.stage.field.deform(&w.best.scales))
-            }
-            _ => stage.unchanged(),
+        let mut factors = stage.field.unchanged();
+        if let (Some(w), true) = (&self.winner, self.spec.preset.inherit) {
+            let scales = search::inherit(&stage.graph, &w.best.stage.field.deform(&w.best.factors));
+            factors[..scales.len()].copy_from_slice(&scales);
         }
+        factors
     }
 
     /// Searches a stage, and keeps what it finds if it beats the winner so far.
@@ -152,7 +153,7 @@ impl Run<'_> {
             self.views,
             &spec.preset,
         )?;
-        let before = objective.evaluate(&[stage.unchanged()], ImagePlan::All)?[0];
+        let before = objective.evaluate(&[stage.field.unchanged()], ImagePlan::All)?[0];
         self.spent.evaluations += 1;
         harness.update(|p| {
             p.phase = format!("Searching with {} part boxes", stage.graph.box_center().len());
@@ -162,8 +163,12 @@ impl Run<'_> {
         let generations_before = self.searches * spec.preset.max_generations;
         let evaluations_before = self.spent.evaluations;
         let mut shown = self.winner.as_ref().map_or(f64::NEG_INFINITY, |w| w.after.score);
-        let space = SearchSpace::new(stage.graph.parameter_rows(), spec.locked.as_deref(), spec.scale_range)?;
-        let footing = spec.preset.footing.then(|| Footing::of(&stage.graph, &space)).flatten();
+        let graph = &*stage.graph;
+        let mut space = SearchSpace::new(graph.parameter_rows(), spec.locked.as_deref(), spec.scale_range)?;
+        if spec.shift_parts {
+            space = space.with_shifts(&graph.shift_room(), graph.reach());
+        }
+        let footing = spec.preset.footing.then(|| Footing::of(graph, &stage.field, &space)).flatten();
         let found =
             search::search(&mut objective, &space, footing.as_ref(), &spec.preset, start, |generation| {
                 let done = generations_before + generation.number;
@@ -174,8 +179,8 @@ impl Run<'_> {
                 });
                 if generation.best_score > shown {
                     shown = generation.best_score;
-                    let scales = generation.best_scales.to_vec();
-                    harness.set_best(Best { score: shown, scales, stage: stage.clone() });
+                    let factors = generation.best_factors.to_vec();
+                    harness.set_best(Best { score: shown, factors, stage: stage.clone() });
                 }
                 check(harness)
             })?;
@@ -187,21 +192,21 @@ impl Run<'_> {
             let asked = after.shortfall < before.shortfall && after.worth() >= before.worth();
             asked || after.score > before.score
         };
-        let (mut after, mut scales, mut improved) = (before, stage.unchanged(), false);
+        let (mut after, mut factors, mut improved) = (before, stage.field.unchanged(), false);
         // Where what the loss likes best is no more like the prompt, the candidate that is most like it.
-        for candidate in [found.scales, found.highest] {
+        for candidate in [found.factors, found.highest] {
             let judged = objective.evaluate(std::slice::from_ref(&candidate), ImagePlan::All)?[0];
             self.spent.evaluations += 1;
             if improves(&judged) {
-                (after, scales, improved) = (judged, candidate, true);
+                (after, factors, improved) = (judged, candidate, true);
                 break;
             }
         }
         self.searches += 1;
         self.spent.images += objective.images_encoded();
         self.spent.renderer = objective.backend_name();
-        let sound = self.soundness.holds(&stage.field.deform(&scales));
-        let best = Best { score: after.score, scales, stage: stage.clone() };
+        let sound = self.soundness.holds(&stage.field.deform(&factors));
+        let best = Best { score: after.score, factors, stage: stage.clone() };
         let finalist = Finalist { best, before, after, improved, sound, stop: found.stop };
         if self.winner.as_ref().is_none_or(|winner| finalist.beats(winner)) {
             self.winner = Some(finalist);
@@ -215,8 +220,9 @@ impl Run<'_> {
         let Finalist { best, before, after, stop, .. } = winner.ok_or(JobError::NotFinished)?;
         let (gauge, vertices) = best.gauged(spec);
         let points = best.points(gauge);
-        let slider = slider_limits(&best.scales, gauge.scale, DEFAULT_RANGE);
+        let slider = slider_limits(best.scales(), gauge.scale, DEFAULT_RANGE);
         let graph = best.stage.graph.clone();
+        let shifts = best.shifts();
         harness.update(|p| p.phase = "Done".into());
         harness.set_best(best.clone());
         let report = Report {
@@ -244,13 +250,15 @@ impl Run<'_> {
             images_encoded: spent.images,
             seconds: harness.seconds(),
             stop_reason: stop.to_string(),
-            scales: best.scales.iter().map(Vec3::to_array).collect(),
+            scales: best.scales().iter().map(Vec3::to_array).collect(),
+            shifts: shifts.as_ref().map(|rows| rows.iter().map(Vec3::to_array).collect()),
             gauge_scale: gauge.scale,
             gauge_shift: gauge.shift.to_array(),
             slider_min: slider.min,
             slider_max: slider.max,
         };
-        Ok(Outcome { vertices, points, scales: best.scales, graph, slider, report })
+        let scales = best.scales().to_vec();
+        Ok(Outcome { vertices, points, scales, shifts, graph, slider, report })
     }
 }
 

@@ -4,7 +4,6 @@
 use std::sync::Arc;
 
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use super::arrays;
@@ -160,15 +159,31 @@ impl PyBoxDefGraph {
         (symmetry != Symmetry::None).then(|| symmetry.name())
     }
 
-    fn deform<'py>(&self, py: Python<'py>, scales: &Bound<'_, PyAny>) -> PyResult<Bound<'py, PyArray2<f32>>> {
+    #[pyo3(signature = (scales, shifts=None))]
+    fn deform<'py>(
+        &self,
+        py: Python<'py>,
+        scales: &Bound<'_, PyAny>,
+        shifts: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Bound<'py, PyArray2<f32>>> {
         let scales = arrays::vectors(scales, "scales")?;
-        let positions = self.0.deform(&scales).map_err(IntoPyErr::into_py_err)?;
-        arrays::from_vectors(py, &positions)
+        let positions = match shifts {
+            Some(shifts) => self.0.deform_shifted(&scales, &arrays::vectors(shifts, "shifts")?),
+            None => self.0.deform(&scales),
+        };
+        arrays::from_vectors(py, &positions.map_err(IntoPyErr::into_py_err)?)
     }
 
     fn field<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
         let field = self.0.field();
         PyArray1::from_slice(py, field.basis()).reshape([3, field.parameter_rows(), field.vertex_count()])
+    }
+
+    /// Least and greatest shift of each parameter row along each axis, (P, 3, 2), in object units.
+    fn shift_room<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
+        let room = self.0.shift_room();
+        let flat = room.iter().flatten().flat_map(|&(least, most)| [least, most]);
+        PyArray1::from_iter(py, flat).reshape([room.len(), 3, 2])
     }
 
     fn __repr__(&self) -> String {

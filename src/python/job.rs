@@ -23,8 +23,8 @@ pub struct PyJob(Job);
 #[pymethods]
 impl PyJob {
     #[new]
-    #[pyo3(signature = (mesh, prompt, guide=None, preset="standard", seed=0, *, splits=None, symmetry="auto", boundary=None,
-                        graph=None, locked=None, scale_range=SCALE_RANGE, renderer="auto", keep_size=None,
+    #[pyo3(signature = (mesh, prompt, guide=None, preset="standard", seed=0, *, splits=None, symmetry=None, boundary=None,
+                        graph=None, locked=None, scale_range=SCALE_RANGE, shift_parts=false, renderer="auto", keep_size=None,
                         keep_place="bottom", points=None))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of the Python surface")]
     fn new(
@@ -35,11 +35,12 @@ impl PyJob {
         preset: &str,
         seed: u64,
         splits: Option<&Bound<'_, PyAny>>,
-        symmetry: &str,
+        symmetry: Option<&str>,
         boundary: Option<&str>,
         graph: Option<&PyBoxDefGraph>,
         locked: Option<&Bound<'_, PyAny>>,
         scale_range: (f32, f32),
+        shift_parts: bool,
         renderer: &str,
         keep_size: Option<&str>,
         keep_place: &str,
@@ -58,8 +59,9 @@ impl PyJob {
             graph: graph.map(|graph| graph.0.clone()),
             locked: locked.map(|locked| arrays::flags(locked, "locked")).transpose()?,
             scale_range,
+            shift_parts,
             splits: splits.map(self::splits).transpose()?.flatten(),
-            symmetry: symmetry.parse().map_err(IntoPyErr::into_py_err)?,
+            symmetry: symmetry.map(str::parse).transpose().map_err(IntoPyErr::into_py_err)?,
             boundary: boundary.map(str::parse).transpose().map_err(IntoPyErr::into_py_err)?,
             backend: renderer.parse().map_err(|e| IntoPyErr::into_py_err(&e))?,
             keep_size: keep_size.map(self::keep_size).transpose()?,
@@ -127,6 +129,12 @@ impl PyResult_ {
     #[getter]
     fn scales<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f32>>> {
         arrays::from_vectors(py, &self.0.scales)
+    }
+
+    /// Shifts in object units; None where parts were not allowed to be shifted.
+    #[getter]
+    fn shifts<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray2<f32>>>> {
+        self.0.shifts.as_ref().map(|shifts| arrays::from_vectors(py, shifts)).transpose()
     }
 
     #[getter]

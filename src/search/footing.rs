@@ -10,7 +10,7 @@ use glam::Vec3;
 use nalgebra::{DMatrix, DVector};
 
 use super::SearchSpace;
-use crate::boxdef::BoxDefGraph;
+use crate::boxdef::{BoxDefGraph, DeformField};
 
 /// Parts whose lowest vertex is within this share of the object's height of the floor stand on it.
 const ON_FLOOR: f32 = 0.01;
@@ -26,18 +26,17 @@ const ROUNDS: usize = 4;
 pub struct Footing {
     /// Parameter rows that stand on the floor and may change their height.
     rows: Vec<usize>,
-    /// Height of each later foot over the first, per unit of change of each parameter row's z.
+    /// Height of each later foot over the first, per unit of change of each row of factors' z.
     slopes: DMatrix<f64>,
     /// Pseudo-inverse of `slopes` over `rows` alone: the least correction.
     correction: DMatrix<f64>,
 }
 
 impl Footing {
-    /// The footing of an object; none where fewer than two parameter rows stand on the floor, or where all
+    /// The footing of an object under a `field` of its graph; none where fewer than two parameter rows stand on the floor, or where all
     /// that do are locked.
     #[must_use]
-    pub fn of(graph: &BoxDefGraph, space: &SearchSpace) -> Option<Self> {
-        let field = graph.field();
+    pub fn of(graph: &BoxDefGraph, field: &DeformField, space: &SearchSpace) -> Option<Self> {
         let heights = || field.rest().iter().map(|v| v.z);
         let floor = heights().fold(f32::INFINITY, f32::min);
         let top = heights().fold(f32::NEG_INFINITY, f32::max);
@@ -59,10 +58,10 @@ impl Footing {
             return None;
         }
         let slope = |row: usize, vertex: usize| {
-            let start = (2 * graph.parameter_rows() + row) * field.vertex_count();
+            let start = (2 * field.parameter_rows() + row) * field.vertex_count();
             f64::from(field.basis()[start + vertex])
         };
-        let slopes = DMatrix::from_fn(rows.len() - 1, graph.parameter_rows(), |foot, row| {
+        let slopes = DMatrix::from_fn(rows.len() - 1, field.parameter_rows(), |foot, row| {
             slope(row, feet[foot + 1]) - slope(row, feet[0])
         });
         let rows: Vec<usize> = rows.into_iter().filter(|&row| !space.is_locked(row, 2)).collect();
@@ -74,12 +73,12 @@ impl Footing {
     }
 
     /// Moves the z scale factors of the standing rows as little as can be, within `range`, to level the feet.
-    pub fn level(&self, scales: &mut [Vec3], range: (f32, f32)) {
+    pub fn level(&self, factors: &mut [Vec3], range: (f32, f32)) {
         for _ in 0..ROUNDS {
-            let changes = DVector::from_iterator(scales.len(), scales.iter().map(|c| f64::from(c.z) - 1.0));
+            let changes = DVector::from_iterator(factors.len(), factors.iter().map(|c| f64::from(c.z) - 1.0));
             let step = &self.correction * (&self.slopes * changes);
             for (&row, step) in self.rows.iter().zip(step.iter()) {
-                scales[row].z = (scales[row].z - *step as f32).clamp(range.0, range.1);
+                factors[row].z = (factors[row].z - *step as f32).clamp(range.0, range.1);
             }
         }
     }
@@ -137,7 +136,8 @@ mod tests {
     #[test]
     fn feet_stay_level_whatever_the_scales() {
         let graph = bench();
-        let footing = Footing::of(&graph, &SearchSpace::free(3)).expect("both legs stand on the floor");
+        let footing =
+            Footing::of(&graph, graph.field(), &SearchSpace::free(3)).expect("both legs stand on the floor");
         for (seat, left, right) in [(1.0, 0.5, 2.0), (0.4, 1.5, 1.0), (2.5, 3.0, 0.9)] {
             let mut scales = [Vec3::splat(seat), Vec3::splat(left), Vec3::splat(right)];
             let before = feet(&graph, &scales);
@@ -155,7 +155,7 @@ mod tests {
         let graph = bench();
         let locked = [[false; 3], [false, false, true], [false; 3]];
         let space = SearchSpace::new(3, Some(&locked), (0.3, 3.1)).expect("something is free");
-        let footing = Footing::of(&graph, &space).expect("both legs stand on the floor");
+        let footing = Footing::of(&graph, graph.field(), &space).expect("both legs stand on the floor");
         let mut scales = [Vec3::splat(1.2), Vec3::ONE, Vec3::splat(2.0)];
         footing.level(&mut scales, space.range());
         let after = feet(&graph, &scales);
@@ -166,7 +166,8 @@ mod tests {
     #[test]
     fn level_feet_are_left_alone() {
         let graph = bench();
-        let footing = Footing::of(&graph, &SearchSpace::free(3)).expect("both legs stand on the floor");
+        let footing =
+            Footing::of(&graph, graph.field(), &SearchSpace::free(3)).expect("both legs stand on the floor");
         let mut scales = [Vec3::ONE; 3];
         footing.level(&mut scales, (0.3, 3.1));
         assert_eq!(scales, [Vec3::ONE; 3]);

@@ -92,12 +92,6 @@ impl<'a> Objective<'a> {
         })
     }
 
-    /// Parameter rows of the field.
-    #[must_use]
-    pub fn parameter_rows(&self) -> usize {
-        self.field.parameter_rows()
-    }
-
     /// Images encoded so far.
     #[must_use]
     pub fn images_encoded(&self) -> usize {
@@ -110,7 +104,7 @@ impl<'a> Objective<'a> {
         self.renderer.backend_name()
     }
 
-    /// Evaluates a generation: one row of scale factors per parameter row and candidate.
+    /// Evaluates a generation: the factors of each candidate.
     pub fn evaluate(
         &mut self,
         candidates: &[Vec<Vec3>],
@@ -125,8 +119,8 @@ impl<'a> Objective<'a> {
         let comparison = self.comparison;
         let measured: Vec<(f64, f64)> = candidates
             .par_iter()
-            .map(|scales| {
-                let positions = field.deform(scales);
+            .map(|factors| {
+                let positions = field.deform(factors);
                 let shortfall = comparison.map_or(0.0, |comparison| comparison.shortfall(&positions));
                 (normal_error(mesh, rest, &positions), shortfall)
             })
@@ -137,10 +131,11 @@ impl<'a> Objective<'a> {
         Ok(appraisals
             .zip(measured)
             .zip(candidates)
-            .map(|(((score, rivalry), (normal_error, shortfall)), scales)| {
+            .map(|(((score, rivalry), (normal_error, shortfall)), factors)| {
                 let (rivalry, shortfall) = (rival_weight * rivalry, comparison_weight * shortfall);
                 let bent = NORMAL_WEIGHT * normal_error;
-                let loss = rivalry + shortfall - score + bent + effort_weight * effort(scales);
+                let loss =
+                    rivalry + shortfall - score + bent + effort_weight * effort(factors, field.scale_rows());
                 Evaluation { score, normal_error, rivalry, shortfall, loss }
             })
             .collect())
@@ -174,11 +169,13 @@ fn normal_error(mesh: &Mesh, rest_normals: &[Vec3], positions: &[Vec3]) -> f64 {
     total / normals.len() as f64
 }
 
-/// Variance of the logarithms of the scale factors: how unevenly the parts were scaled. What the score does
-/// not ask for stays as it was; scaling everything alike costs nothing.
-fn effort(scales: &[Vec3]) -> f64 {
+/// Variance of the logarithms of the scale factors, how unevenly the parts were scaled, and mean square of the
+/// shifts. What the score does not ask for stays as it was; scaling everything alike costs nothing.
+fn effort(factors: &[Vec3], scale_rows: usize) -> f64 {
+    let (scales, shifts) = factors.split_at(scale_rows);
     let logs = || scales.iter().flat_map(Vec3::to_array).map(|c| f64::from(c).ln());
     let count = logs().count() as f64;
     let mean = logs().sum::<f64>() / count;
-    logs().map(|log| (log - mean).powi(2)).sum::<f64>() / count
+    let shifts = shifts.iter().flat_map(Vec3::to_array).map(|c| (f64::from(c) - 1.0).powi(2));
+    (logs().map(|log| (log - mean).powi(2)).sum::<f64>() + shifts.sum::<f64>()) / count
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Presets: how much is spent on the search, and where.
 
-use crate::boxdef::Boundary;
+use crate::boxdef::{Boundary, Symmetry};
 use crate::render::BACKGROUNDS;
 
 /// Weight of the normal error in the loss.
@@ -34,6 +34,8 @@ pub struct Preset {
     pub name: &'static str,
     /// Split counts tried, one after another; the best by all images is kept.
     pub splits: &'static [u32],
+    /// Symmetry of the part boxes.
+    pub symmetry: Symmetry,
     /// How parts follow each other where they meet.
     pub boundary: Boundary,
     /// Candidates a generation: `base + per_log · ln(dimensions)`.
@@ -69,6 +71,7 @@ impl Preset {
     pub const PAPER: Self = Self {
         name: "paper",
         splits: &[2, 3, 4],
+        symmetry: Symmetry::X,
         boundary: Boundary::Paper,
         population: (12.0, 9.0),
         sigma: 1.0,
@@ -88,6 +91,7 @@ impl Preset {
     pub const STANDARD: Self = Self {
         name: "standard",
         splits: &[2, 3, 4],
+        symmetry: Symmetry::Auto,
         boundary: Boundary::Smooth,
         population: (4.0, 3.5),
         sigma: 0.5,

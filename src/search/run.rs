@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! One search: CMA-ES over the box scales of one graph.
+//! One search: CMA-ES over the box scales of one graph, and over shifts where parts may be shifted.
 
 use glam::Vec3;
 
@@ -15,16 +15,16 @@ pub struct Generation<'a> {
     pub evaluations: usize,
     /// Score of the best candidate (that of least loss) so far.
     pub best_score: f64,
-    /// Its scale factors.
-    pub best_scales: &'a [Vec3],
+    /// Its factors.
+    pub best_factors: &'a [Vec3],
 }
 
 /// The end of a search.
 #[derive(Debug)]
 pub struct Found {
-    /// Scale factors of least loss.
-    pub scales: Vec<Vec3>,
-    /// Scale factors of the highest score, whatever their loss.
+    /// Factors of least loss.
+    pub factors: Vec<Vec3>,
+    /// Factors of the highest score, whatever their loss.
     pub highest: Vec<Vec3>,
     /// Generations done.
     pub generations: usize,
@@ -37,8 +37,8 @@ pub struct Found {
 /// Where a search starts.
 #[derive(Debug, Clone)]
 pub struct Start {
-    /// Scale factors, a row a parameter row.
-    pub scales: Vec<Vec3>,
+    /// Factors.
+    pub factors: Vec<Vec3>,
     /// First step size, in units of the search variable.
     pub sigma: f64,
     /// Seed of the random numbers.
@@ -56,7 +56,7 @@ pub fn search<E: From<SearchError> + From<ObjectiveError>>(
     mut each_generation: impl FnMut(&Generation<'_>) -> Result<(), E>,
 ) -> Result<Found, E> {
     let mut cma = CmaEs::new(CmaEsOptions {
-        start: space.point(&start.scales),
+        start: space.point(&start.factors),
         sigma: start.sigma,
         bounds: space.bounds(),
         population: Some(preset.population(space.dimensions())),
@@ -65,22 +65,22 @@ pub fn search<E: From<SearchError> + From<ObjectiveError>>(
         tol_fun: preset.tol_fun,
         ..CmaEsOptions::default()
     })?;
-    let mut best = (f64::INFINITY, f64::NEG_INFINITY, vec![Vec3::ONE; start.scales.len()]);
+    let mut best = (f64::INFINITY, f64::NEG_INFINITY, vec![Vec3::ONE; start.factors.len()]);
     let mut highest = (f64::NEG_INFINITY, best.2.clone());
     loop {
-        let mut candidates: Vec<Vec<Vec3>> = cma.ask().iter().map(|x| space.scales(x)).collect();
+        let mut candidates: Vec<Vec<Vec3>> = cma.ask().iter().map(|x| space.factors(x)).collect();
         if let Some(footing) = footing {
-            for scales in &mut candidates {
-                footing.level(scales, space.range());
+            for factors in &mut candidates {
+                footing.level(factors, space.range());
             }
         }
         let evaluations = objective.evaluate(&candidates, preset.images)?;
-        for (evaluation, scales) in evaluations.iter().zip(&candidates) {
+        for (evaluation, factors) in evaluations.iter().zip(&candidates) {
             if evaluation.loss < best.0 {
-                best = (evaluation.loss, evaluation.score, scales.clone());
+                best = (evaluation.loss, evaluation.score, factors.clone());
             }
             if evaluation.score > highest.0 {
-                highest = (evaluation.score, scales.clone());
+                highest = (evaluation.score, factors.clone());
             }
         }
         let losses: Vec<f64> = evaluations.iter().map(|e| e.loss).collect();
@@ -89,11 +89,11 @@ pub fn search<E: From<SearchError> + From<ObjectiveError>>(
             number: cma.generation(),
             evaluations: cma.evaluations(),
             best_score: best.1,
-            best_scales: &best.2,
+            best_factors: &best.2,
         })?;
         if let Some(stop) = cma.stop_reason() {
             let (generations, evaluations) = (cma.generation(), cma.evaluations());
-            return Ok(Found { scales: best.2, highest: highest.1, generations, evaluations, stop });
+            return Ok(Found { factors: best.2, highest: highest.1, generations, evaluations, stop });
         }
     }
 }
