@@ -93,8 +93,8 @@ class BoxDefGraph:
         """The field B, (3, P, n): V_a(c) = V_a + sum over p of (c[p, a] - 1) B[a, p]."""
 
     def shift_room(self) -> NDArray[np.float32]:
-        """Least and greatest shift of each parameter row along each axis, (P, 3, 2), in object units: as far as
-        its parts stay on those they hang on. Both are 0 where there is no room.
+        """Least and greatest shift of each parameter row along each axis, (P, 3, 2), in object units: as far
+        as its parts stay on those they hang on. Both are 0 where there is no room.
         """
 
 def own_turn(mesh: Mesh) -> float:

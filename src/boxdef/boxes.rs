@@ -85,13 +85,13 @@ pub(crate) fn part_boxes(
         }
         (piece.off_plane, piece.domain, low, high)
     });
-    with_images(boxes.collect(), occupancy, symmetry)
+    with_images(&boxes.collect::<Vec<_>>(), occupancy, symmetry)
 }
 
 /// Adds the mirror images of boxes (off which planes each lies, domain, low and high corner) that come without
 /// images first.
 pub(crate) fn with_images(
-    boxes: Vec<([bool; 3], CellBox, DVec3, DVec3)>,
+    boxes: &[([bool; 3], CellBox, DVec3, DVec3)],
     occupancy: &Occupancy,
     symmetry: Symmetry,
 ) -> Vec<PartBox> {

@@ -54,7 +54,7 @@ pub(crate) fn given_boxes(
     };
     let mut single: Vec<_> = (0..boxes.len()).filter(stands).map(exact).collect();
     single.sort_by_key(|part| part.0.contains(&true));
-    (with_images(single, occupancy, symmetry), symmetry)
+    (with_images(&single, occupancy, symmetry), symmetry)
 }
 
 /// The mirror twin of each box, the box itself where it is its own; none unless all have one.
