@@ -14,6 +14,9 @@ VIEWS_IMAGE = "Boxmorph Views"
 _BACKGROUND = np.array((255, 255, 255), np.float32)
 _GAP = 4
 
+#: What the renderer multiplies every grey with; colors are shown without it, or they would be dull.
+_ALBEDO = 0.6
+
 
 def render_row(boxmorph, vertices, triangles, size=224, renderer="auto"):
     """Return the four views of a shape side by side on white, (size, 4·size, 3) uint8."""
@@ -21,6 +24,21 @@ def render_row(boxmorph, vertices, triangles, size=224, renderer="auto"):
         np.ascontiguousarray(vertices, np.float32), triangles, size=size, views="paper", renderer=renderer
     )
     return np.concatenate([_on_background(view) for view in views], axis=1)
+
+
+def colored_row(boxmorph, vertices, triangles, colors, size=224):
+    """Return the four views with each triangle in its own color, (m,3) uint8, as `render_row` does."""
+    views = boxmorph.render(
+        np.ascontiguousarray(vertices, np.float32), triangles, size=size, views="paper", colors=colors
+    )
+    views[..., :3] = np.minimum(views[..., :3] / _ALBEDO, 255.0)
+    return np.concatenate([_on_background(view) for view in views], axis=1)
+
+
+def swatches(colors, width, height=24):
+    """Return fields of these colors, (k,3) uint8, from left to right, (height, width, 3) uint8."""
+    field = np.arange(width) * len(colors) // width
+    return np.broadcast_to(colors[field], (height, width, 3))
 
 
 def stack(rows):
