@@ -106,8 +106,8 @@ def _deform(options):
     except KeyboardInterrupt:
         search.cancel(wait=True)
         raise Refusal("Interrupted; nothing was saved") from None
-    search.keep(obj)
-    for note in search.departures(obj, bpy.context):
+    search.keep(obj, bpy.context)
+    for note in search.departures(obj):
         print(f"boxmorph: {note}.", file=sys.stderr)
     if options.keyframes is not None:
         keyframes.keyframe_spectrum(obj.data.shape_keys.key_blocks[search.name], *options.keyframes)

@@ -100,7 +100,7 @@ class Trial:
     def write(self, obj, positions):
         """Put `positions`, (n,3) float32, into the key, making it if need be, and show it at value 1."""
         mesh = obj.data
-        key = self._key(obj)
+        key = self.key(obj)
         if key is None:
             key = self._create(obj)
         key.points.foreach_set("co", np.ascontiguousarray(positions, np.float32).ravel())
@@ -111,7 +111,7 @@ class Trial:
     def keep(self, obj, positions, slider_min, slider_max, report):
         """Make the key an outcome with these slider limits and this record. Returns its name."""
         self.write(obj, positions)
-        key = self._key(obj)
+        key = self.key(obj)
         key.slider_min = max(-_SLIDER_LIMIT, min(float(slider_min), 0.0))
         key.slider_max = min(_SLIDER_LIMIT, max(float(slider_max), 1.0))
         key.value = 1.0
@@ -128,7 +128,7 @@ class Trial:
         Calling it again takes back a key that undo has brought again.
         """
         keys = obj.data.shape_keys
-        key = self._key(obj)
+        key = self.key(obj)
         if key is None or self._restored:
             return False
         if self.previous is not None:
@@ -148,7 +148,8 @@ class Trial:
         obj.data.update()
         return True
 
-    def _key(self, obj):
+    def key(self, obj):
+        """Return the key, or None where there is none yet or no longer."""
         keys = obj.data.shape_keys
         if keys is None or self.name is None:
             return None
