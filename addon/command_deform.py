@@ -107,7 +107,7 @@ def _deform(options):
         search.cancel(wait=True)
         raise Refusal("Interrupted; nothing was saved") from None
     search.keep(obj, bpy.context)
-    for note in search.departures(obj):
+    for note in search.departures(obj) + search.shear():
         print(f"boxmorph: {note}.", file=sys.stderr)
     if options.keyframes is not None:
         keyframes.keyframe_spectrum(obj.data.shape_keys.key_blocks[search.name], *options.keyframes)

@@ -7,7 +7,7 @@ import os
 import bpy
 import numpy as np
 
-from . import engine, images, parts
+from . import engine, images, parts, shape_key, spanning
 from .command_checks import DONE, named_collection, named_object, opened_file, require_writable
 from .properties import SPLITS, SYMMETRY
 
@@ -48,6 +48,10 @@ def _parts(options):
         own = [2 * np.array(half) for _center, half, r in boxes if r == row]
         size = " × ".join(f"{extent:.3g}" for extent in own[0])
         print(f"{part.name}: {size}" + (" (two)" if len(own) == 2 else "") + f", {color_name(color)}")
+    if obj.boxmorph.coarse:
+        name, report = shape_key.meant_outcome(obj)
+        clauses = spanning.clauses(obj.boxmorph.coarse, report.get("worst_shear"))
+        print(f"boxmorph: {'; '.join(clauses)}" + (f" in “{name}”" if len(clauses) > 1 else ""))
     if options.sheet is not None:
         images.save_png(_sheet(obj, colors), os.path.abspath(options.sheet))
     return DONE

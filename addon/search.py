@@ -10,7 +10,7 @@ from contextlib import suppress
 
 import numpy as np
 
-from . import engine, mesh_io, modifiers, parts
+from . import engine, mesh_io, modifiers, parts, spanning
 from .errors import Refusal
 from .preferences import preferences
 from .shape_key import Trial
@@ -130,6 +130,11 @@ class Search:
             raise Refusal("The search ended in coordinates that are not numbers; nothing was changed")
         report = dict(result.report())
         report["object"] = self.object_name
+        coarse = spanning.coarse_faces(self.arrays.vertices, self.arrays.triangles, result.graph)
+        report["coarse_faces"] = len(coarse)
+        report["worst_shear"] = spanning.worst_shear(
+            self.arrays.vertices, result.vertices, coarse, result.graph, result.scales
+        )
         if self.arrays.points is not None:
             positions, self._away = self._under_modifiers(obj, context, positions, result)
             # JSON knows no infinity.
@@ -163,6 +168,13 @@ class Search:
             f"Under its {under} {', '.join(names)} the outcome differs from what was scored, {how}. "
             f"Apply {them} and search again where that matters"
         ]
+
+    def shear(self):
+        """Return a sentence on the long faces that span parts and how far the kept outcome shears them, in a
+        list; empty where there are none.
+        """
+        clauses = spanning.clauses(self.report["coarse_faces"], self.report["worst_shear"])
+        return ["; ".join([*clauses, "Refine at Part Boundaries cuts them"])] if clauses else []
 
     def take_back(self, obj):
         """Restore `obj` as it was before the search. Returns whether there was anything to restore."""

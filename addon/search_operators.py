@@ -163,6 +163,8 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
     def _report(self, search, obj):
         for note in search.departures(obj):
             self.report({"WARNING"}, note)
+        for note in search.shear():
+            self.report({"INFO"}, note)
         self.report({"INFO"}, search.summary())
 
     def _refuse(self, refusal):

@@ -44,6 +44,16 @@ def outcomes(mesh):
     return [mesh.shape_keys.key_blocks[name] for name in records(mesh)]
 
 
+def meant_outcome(obj):
+    """Return the name and report of the outcome that is meant: the active key, else the newest; (None, {})
+    where there is none.
+    """
+    stored = records(obj.data)
+    active = obj.active_shape_key.name if obj.active_shape_key else None
+    name = active if active in stored else next(reversed(stored), None)
+    return name, stored.get(name, {})
+
+
 def remove_outcome(obj, name):
     """Delete an outcome: its key, its record and its animation."""
     keys = obj.data.shape_keys
