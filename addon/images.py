@@ -14,9 +14,6 @@ VIEWS_IMAGE = "Boxmorph Views"
 _BACKGROUND = np.array((255, 255, 255), np.float32)
 _GAP = 4
 
-#: What the renderer multiplies every grey with; colors are shown without it, or they would be dull.
-_ALBEDO = 0.6
-
 
 def render_row(boxmorph, vertices, triangles, size=224, renderer="auto"):
     """Return the four views of a shape side by side on white, (size, 4·size, 3) uint8."""
@@ -31,7 +28,6 @@ def colored_row(boxmorph, vertices, triangles, colors, size=224):
     views = boxmorph.render(
         np.ascontiguousarray(vertices, np.float32), triangles, size=size, views="paper", colors=colors
     )
-    views[..., :3] = np.minimum(views[..., :3] / _ALBEDO, 255.0)
     return np.concatenate([_on_background(view) for view in views], axis=1)
 
 

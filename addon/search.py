@@ -163,7 +163,7 @@ class Search:
         names = modifiers.departing(obj)
         under, them = ("modifier", "it") if len(names) == 1 else ("modifiers", "them")
         far = np.isfinite(self._away)
-        how = f"up to {self._away:.0%} of its size" if far else "in the number of its vertices"
+        how = f"up to {100 * self._away:.2g}% of its size" if far else "in the number of its vertices"
         return [
             f"Under its {under} {', '.join(names)} the outcome differs from what was scored, {how}. "
             f"Apply {them} and search again where that matters"

@@ -10,7 +10,8 @@ use crate::render::{Backend, RenderError, render_colored, render_positions, view
 
 /// Renders a mesh as the guide sees it: RGBA with straight alpha, (views, size, size, 4) uint8.
 ///
-/// `colors`, (m, 3) uint8: the grey of each triangle is multiplied with its color; None leaves it grey.
+/// `colors`, (m, 3) uint8: each triangle is drawn in its color, lighter or darker by the light on it; None draws
+/// grey.
 #[pyfunction]
 #[pyo3(signature = (vertices, triangles, size=224, views="paper", renderer="auto", colors=None))]
 pub fn render<'py>(

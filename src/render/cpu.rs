@@ -27,7 +27,7 @@ impl<T: Default> Pool<T> {
 /// Renders on the CPU's cores, within the current `rayon` pool.
 pub(super) struct CpuRenderer {
     scene: Scene,
-    /// A factor on the grey per triangle and channel; `None` leaves it grey.
+    /// Red, green and blue of each triangle, 0 to 1; `None` draws grey.
     colors: Option<Vec<[f32; 3]>>,
     cameras: Vec<Camera>,
     positions: Pool<Vec<Vec3>>,
@@ -40,7 +40,7 @@ impl CpuRenderer {
         Self { scene, colors: None, cameras, positions: Pool::default(), rasters: Pool::default() }
     }
 
-    /// Multiplies the grey of each triangle with its color, 255 being one.
+    /// Draws each triangle in its color, lighter or darker by the light on it.
     pub fn colored(scene: Scene, colors: &[[u8; 3]]) -> Result<Self, RenderError> {
         let (expected, got) = (scene.triangles.len(), colors.len());
         if got != expected {
@@ -69,13 +69,12 @@ impl CpuRenderer {
         let size = self.scene.size as usize;
         raster.draw(camera, frame, positions, &self.scene.triangles, 2 * size);
         let shader = Shader::new(camera, frame);
-        let grey =
-            |index: usize| shader.grey(self.scene.triangles[index].map(|vertex| positions[vertex as usize]));
+        let corners = |index: usize| self.scene.triangles[index].map(|vertex| positions[vertex as usize]);
         match &self.colors {
-            None => resolve(raster, size, image, |index| [grey(index)]),
+            None => resolve(raster, size, image, |index| [shader.grey(corners(index))]),
             Some(colors) => resolve(raster, size, image, |index| {
-                let grey = grey(index);
-                colors[index].map(|channel| grey * channel)
+                let light = shader.light(corners(index));
+                colors[index].map(|channel| light * channel)
             }),
         }
     }

@@ -111,7 +111,8 @@ pub fn render_positions(
     Ok(out)
 }
 
-/// Renders a shape as [`render_positions`] does, the grey of each triangle multiplied with its color.
+/// Renders a shape as [`render_positions`] does, but each triangle in its color, lighter or darker by the light on
+/// it.
 ///
 /// Colors are drawn on the CPU alone: there is no candidate to hurry for.
 pub fn render_colored(

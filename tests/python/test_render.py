@@ -6,13 +6,17 @@ import numpy as np
 import pytest
 
 
-def test_colors_tint_the_grey(chair):
-    white = np.full(chair[1].shape, 255, np.uint8)
-    plain = boxmorph.render(*chair, size=64)
-    assert np.array_equal(boxmorph.render(*chair, size=64, colors=white), plain)
-    red = white * np.array([1, 0, 0], np.uint8)
-    tinted = boxmorph.render(*chair, size=64, renderer="cpu", colors=red)
-    assert np.array_equal(tinted, plain * np.array([1, 0, 0, 1], np.uint8))
+def test_triangles_are_drawn_in_their_colors(chair):
+    plain = boxmorph.render(*chair, size=64, renderer="cpu")
+    assert np.array_equal(boxmorph.render(*chair, size=64, renderer="cpu", colors=None), plain)
+    red = np.broadcast_to(np.uint8((255, 0, 0)), chair[1].shape).copy()
+    image = boxmorph.render(*chair, size=64, colors=red)
+    assert np.array_equal(image[..., 3], plain[..., 3]) and not image[..., 1:3].any()
+    seen = image[..., 3] > 0
+    assert image[seen, 0].min() > 80 and image[seen, 0].max() > 250
+    # The lighter the grey, the lighter the color.
+    order = np.argsort(plain[seen, 0], kind="stable")
+    assert (np.diff(image[seen, 0][order].astype(int)) >= -1).all()
 
 
 def test_colors_that_do_not_fit_are_refused(chair):
