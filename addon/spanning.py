@@ -40,12 +40,12 @@ def worst_shear(rest, moved, triangles, graph, scales):
 
 
 def clauses(count, degrees=None):
-    """Return the count of coarse faces, and how far the worst is sheared where that is known, as clauses."""
+    """Return the count of coarse faces, and how far the worst is sheared if it is, as clauses."""
     if count == 0:
         return []
     is_one = count == 1
     out = ["1 long face spans parts" if is_one else f"{count} long faces span parts"]
-    if degrees is not None:
+    if degrees:
         out.append(f"{'it' if is_one else 'the worst'} is sheared by {degrees:.0f}°")
     return out
 

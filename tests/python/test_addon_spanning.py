@@ -65,7 +65,7 @@ def test_clauses_count_and_measure():
     assert clauses(0) == clauses(0, 0.0) == []
     assert clauses(1, 20.0) == ["1 long face spans parts", "it is sheared by 20°"]
     assert clauses(12, 33.7) == ["12 long faces span parts", "the worst is sheared by 34°"]
-    assert clauses(2) == ["2 long faces span parts"]
+    assert clauses(2) == clauses(2, 0.0) == ["2 long faces span parts"]
 
 
 def test_shear_is_said_and_recorded_and_gone_after_refining(capfd):
