@@ -6,11 +6,14 @@ up again as it was scored; some keep a length or an offset of their own, or roun
 """
 
 import numpy as np
+from mathutils.kdtree import KDTree
 
 from . import mesh_io
 
-#: How often the key is corrected by what is seen of it. More brings little (measured on Subdivision: the mean
-#: difference falls to a quarter with the first, and then stays).
+#: How far the outcome under its modifiers may be from what was scored, as a share of its size.
+DEPARTS = 0.01
+
+#: How often the key is corrected by what is seen of it. The first time brings most.
 _CORRECTIONS = 3
 
 #: As near as need be, as a share of the size.
@@ -20,31 +23,74 @@ _NEAR = 1e-4
 _FOLLOWING = frozenset("EDGE_SPLIT MIRROR NORMAL_EDIT TRIANGULATE UV_PROJECT UV_WARP WEIGHTED_NORMAL".split())
 
 
-def corrected(obj, context, key, positions, expected):
-    """Return the positions for `key`, (k,3), with which `obj` comes nearest to `expected`, and how far it is.
+class Correction:
+    """Brings the key of `obj` nearer to what was scored by what is seen of it under the modifiers.
 
-    `positions`: the first ones to try; `expected`, (n,3): the mesh as it should be under the modifiers. The
-    distance is the greatest of a vertex, as a share of the size; infinite if there are other vertices.
+    `rest` and `expected`, (n,3): the mesh under the modifiers, undeformed and as it should be. `positions`,
+    (k,3), are the best for the key so far, and `away` is how far the mesh then is from `expected` where it is
+    farthest, as a share of its size; infinite if it has other vertices.
     """
-    size = np.linalg.norm(np.ptp(expected, axis=0))
-    index = obj.data.shape_keys.key_blocks.find(key.name)
-    best, nearest = positions, float("inf")
-    for _ in range(1 + _CORRECTIONS):
-        key.points.foreach_set("co", np.ascontiguousarray(positions, np.float32).ravel())
-        obj.data.update()
-        with mesh_io.as_modelled(obj, context, index) as mesh:
+
+    def __init__(self, obj, context, key, rest, expected):
+        self._obj, self._context, self._key = obj, context, key
+        self._rest, self._expected = rest, expected
+        self._size = np.linalg.norm(np.ptp(expected, axis=0))
+        self._index = obj.data.shape_keys.key_blocks.find(key.name)
+        self._missing = None
+        self.positions, self.away = None, float("inf")
+
+    def run(self, positions):
+        """Begin with these positions of the key, and correct them for as long as that helps."""
+        self.positions = positions
+        if not self._try(positions):
+            return
+        self._repeat(self._of_first)
+        if self.away > DEPARTS:
+            self._repeat(self._of_nearest())
+
+    def _repeat(self, pull):
+        for _ in range(_CORRECTIONS):
+            if self.away <= _NEAR or not self._try(self.positions + pull(self._missing)):
+                return
+
+    def _try(self, positions):
+        """Whether these positions bring the mesh nearer than it was."""
+        self._key.points.foreach_set("co", np.ascontiguousarray(positions, np.float32).ravel())
+        self._obj.data.update()
+        with mesh_io.as_modelled(self._obj, self._context, self._index) as mesh:
             seen = mesh_io.mesh_positions(mesh)
-        if len(seen) != len(expected):
-            break
-        away = float(np.linalg.norm(seen - expected, axis=1).max() / size)
-        if away >= nearest:
-            break
-        best, nearest = positions, away
-        if away <= _NEAR or len(seen) < len(positions):
-            break
-        # Modifiers that add vertices put those they were given first.
-        positions = positions + (expected - seen)[: len(positions)]
-    return best, nearest
+        if len(seen) != len(self._expected) or len(seen) < len(positions):
+            return False
+        missing = self._expected - seen
+        away = float(np.linalg.norm(missing, axis=1).max() / self._size)
+        if not away < self.away:
+            return False
+        self.positions, self.away, self._missing = positions, away, missing
+        return True
+
+    def _of_first(self, missing):
+        """What each vertex of the key is off by where modifiers put the vertices they were given first, as
+        Subdivision does.
+        """
+        return missing[: len(self.positions)]
+
+    def _of_nearest(self):
+        """Return what gives the mean of what the vertices around each vertex of the key are off by, for
+        modifiers that put others in its place, as Bevel does, or beside it, as Solidify does.
+        """
+        base = mesh_io.basis_positions(self._obj.data)
+        tree = KDTree(len(base))
+        for index, position in enumerate(base.tolist()):
+            tree.insert(position, index)
+        tree.balance()
+        owner = np.array([tree.find(position)[1] for position in self._rest.tolist()])
+        count = np.maximum(np.bincount(owner, minlength=len(base)), 1)[:, None]
+
+        def pull(missing):
+            sums = [np.bincount(owner, along, minlength=len(base)) for along in missing.T]
+            return np.stack(sums, axis=1) / count
+
+        return pull
 
 
 def departing(obj):

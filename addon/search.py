@@ -15,9 +15,6 @@ from .errors import Refusal
 from .preferences import preferences
 from .shape_key import Trial
 
-#: How far the outcome under its modifiers may be from what was scored, as a share of its size.
-_DEPARTS = 0.01
-
 
 class Search:
     """A running search on one object. Raises Refusal at once for anything that cannot work."""
@@ -148,17 +145,19 @@ class Search:
         was scored; NaN where it cannot be seen.
         """
         self._trial.write(obj, positions)
-        expected = self.arrays.to_object(result.vertices)
+        rest, expected = (self.arrays.to_object(v) for v in (self.arrays.vertices, result.vertices))
+        correction = modifiers.Correction(obj, context, self._trial.key(obj), rest, expected)
         try:
-            return modifiers.corrected(obj, context, self._trial.key(obj), positions, expected)
+            correction.run(positions)
         except Refusal:
             return positions, float("nan")
+        return correction.positions, correction.away
 
     def departures(self, obj):
         """Return sentences on what is seen of the kept outcome but was not scored: modifiers that do not
         follow it.
         """
-        if not self._away > _DEPARTS:
+        if not self._away > modifiers.DEPARTS:
             return []
         names = modifiers.departing(obj)
         under, them = ("modifier", "it") if len(names) == 1 else ("modifiers", "them")

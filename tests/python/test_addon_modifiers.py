@@ -183,9 +183,12 @@ def test_what_is_seen_is_what_was_scored_or_the_user_is_told(name):
         assert record["modifiers_depart"] == pytest.approx(away, abs=1e-5)
 
 
-@pytest.mark.parametrize("name", ["subdivision once", "subdivision twice", "mirror and subdivision"])
-def test_a_key_under_subdivision_is_corrected_for_its_rounding(name):
-    """Places of the base mesh lie off the rounded surface that was scored."""
+@pytest.mark.parametrize(
+    "name",
+    ["subdivision once", "subdivision twice", "mirror and subdivision", "solidify", "solidify and bevel"],
+)
+def test_a_key_is_corrected_by_what_is_seen_under_the_modifiers(name):
+    """Places of the base mesh lie off the surface that was scored."""
     obj = CASES[name]()
     search, away = searched(obj)
     key = obj.data.shape_keys.key_blocks[PROMPT]
