@@ -23,6 +23,20 @@ def render_row(boxmorph, vertices, triangles, size=224, renderer="auto"):
     return np.concatenate([_on_background(view) for view in views], axis=1)
 
 
+def colored_row(boxmorph, vertices, triangles, colors, size=224):
+    """Return the four views with each triangle in its own color, (m,3) uint8, as `render_row` does."""
+    views = boxmorph.render(
+        np.ascontiguousarray(vertices, np.float32), triangles, size=size, views="paper", colors=colors
+    )
+    return np.concatenate([_on_background(view) for view in views], axis=1)
+
+
+def swatches(colors, width, height=24):
+    """Return fields of these colors, (k,3) uint8, from left to right, (height, width, 3) uint8."""
+    field = np.arange(width) * len(colors) // width
+    return np.broadcast_to(colors[field], (height, width, 3))
+
+
 def stack(rows):
     """Return pictures of one width below each other, a thin white gap between."""
     gap = np.full((_GAP, rows[0].shape[1], 3), 255, np.uint8)

@@ -15,7 +15,7 @@ from .errors import Refusal
 
 #: Modifiers that bend the mesh away from its modelled shape. They are left out of what is split and scored:
 #: parts are found on the object as it was modelled, not as it is posed.
-_POSING = frozenset(
+POSING = frozenset(
     "ARMATURE CAST CLOTH CORRECTIVE_SMOOTH CURVE HOOK LAPLACIANDEFORM LATTICE MESH_CACHE MESH_DEFORM "
     "MESH_SEQUENCE_CACHE SHRINKWRAP SIMPLE_DEFORM SOFT_BODY SURFACE_DEFORM WARP WAVE".split()
 )
@@ -78,12 +78,12 @@ def object_arrays(obj, context):
     base = basis_positions(obj.data)
     _require_finite(base, obj)
     shown = [modifier for modifier in obj.modifiers if modifier.show_viewport]
-    left_out = tuple(modifier.name for modifier in shown if modifier.type in _POSING)
+    left_out = tuple(modifier.name for modifier in shown if modifier.type in POSING)
     scale = _uneven_scale(obj)
     if len(shown) == len(left_out):
         arrays = ObjectArrays(base * scale, mesh_triangles(obj.data), None, np.diag(scale), left_out)
     else:
-        with _as_modelled(obj, context) as mesh:
+        with as_modelled(obj, context) as mesh:
             vertices = mesh_positions(mesh) * scale
             arrays = ObjectArrays(vertices, mesh_triangles(mesh), base * scale, np.diag(scale), left_out)
     _require_surface(arrays.vertices, arrays.triangles, obj)
@@ -102,19 +102,6 @@ def shown_arrays(obj, context):
         evaluated.to_mesh_clear()
     _require_surface(vertices, triangles, obj)
     return vertices, triangles
-
-
-def modifiers_depart(obj, context, key_name, expected):
-    """Return how far the object under its modifiers, with this key alone, is from `expected`, (n,3), at most.
-
-    As a share of the size of `expected`; infinite if it has other vertices.
-    """
-    index = obj.data.shape_keys.key_blocks.find(key_name)
-    with _as_modelled(obj, context, index) as mesh:
-        seen = mesh_positions(mesh)
-    if len(seen) != len(expected):
-        return float("inf")
-    return float(np.linalg.norm(seen - expected, axis=1).max() / np.linalg.norm(np.ptp(expected, axis=0)))
 
 
 def mesh_positions(mesh):
@@ -155,7 +142,7 @@ def mesh_triangles(mesh):
 
 
 @contextmanager
-def _as_modelled(obj, context, key_index=0):
+def as_modelled(obj, context, key_index=0):
     """Give the evaluated mesh of `obj` with its Basis, or another key at 1, pinned and its posing modifiers
     off; undo both afterwards.
     """
@@ -165,7 +152,7 @@ def _as_modelled(obj, context, key_index=0):
             "evaluated. Enable its collection first"
         )
     pinned, active = obj.show_only_shape_key, obj.active_shape_key_index
-    posing = [m for m in obj.modifiers if m.show_viewport and m.type in _POSING]
+    posing = [m for m in obj.modifiers if m.show_viewport and m.type in POSING]
     hidden = obj.hide_viewport
     evaluated = None
     try:

@@ -28,12 +28,9 @@ class _OnOutcome:
     def outcome(self, context):
         """Return the active object, checked, and the key that is meant."""
         obj = mesh_io.deformable(context.active_object)
-        name = self.key or (obj.active_shape_key.name if obj.active_shape_key else "")
-        made = shape_key.records(obj.data)
-        if name not in made:
-            if self.key:
-                raise Refusal(f"“{obj.name}” has no outcome named “{self.key}”")
-            name = list(made)[-1]
+        if self.key and self.key not in shape_key.records(obj.data):
+            raise Refusal(f"“{obj.name}” has no outcome named “{self.key}”")
+        name = self.key or shape_key.meant_outcome(obj)[0]
         return obj, obj.data.shape_keys.key_blocks[name]
 
 

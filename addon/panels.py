@@ -5,7 +5,7 @@ search.
 
 import bpy
 
-from . import shape_key
+from . import engine, shape_key, spanning
 from .images import VIEWS_IMAGE
 from .preferences import preferences
 from .progress import progress_parts
@@ -106,8 +106,10 @@ class BOXMORPH_PT_parts(_Sidebar, bpy.types.Panel):
         row.operator("boxmorph.forget_parts", text="", icon="X")
         layout.template_list("BOXMORPH_UL_parts", "", kept, "items", kept, "active", rows=3)
         if kept.coarse:
-            faces = "face spans" if kept.coarse == 1 else "faces span"
-            layout.label(text=f"{kept.coarse} long {faces} parts", icon="INFO")
+            _name, report = shape_key.meant_outcome(context.active_object)
+            column = layout.column(align=True)
+            for clause in spanning.clauses(kept.coarse, report.get("worst_shear")):
+                column.label(text=engine.capitalised(clause), icon="INFO")
             layout.operator("boxmorph.refine", icon="MOD_BEVEL")
 
 

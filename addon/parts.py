@@ -23,7 +23,9 @@ from mathutils import Vector
 
 from . import engine, mesh_io
 from .errors import Refusal
+from .parts_shown import holders
 from .redraw import redraw_viewports
+from .spanning import coarse_faces
 
 #: Blender 4.2 as a Python module crashes when it ends if lists or properties with callbacks of ours are
 #: registered. It has no interface that would need them.
@@ -34,10 +36,6 @@ AUTOMATIC_SPLITS = 4
 
 #: A box is off the middle, and named for its side, beyond this share of half the object's size.
 _OFF_CENTER = 0.25
-
-#: A triangle of two parts is coarse if a corner is farther from one of them than this share of half the
-#: object's diagonal.
-_COARSE = 0.1
 
 #: Parts found again may differ from what was kept by this share of the object's size.
 _SAME = 1e-4
@@ -67,7 +65,8 @@ class BoxmorphParts(bpy.types.PropertyGroup):
     #: Triangles that span parts and are too long to be bent gently.
     coarse: IntProperty()
     #: JSON, in coordinates of the search: boxes [center, half size, part], tree edges [parent, child], the
-    #: user's boxes, if any, as they were given, and the place (3,3) of the object's own coordinates.
+    #: user's boxes, if any, as they were given, the place (3,3) of the object's own coordinates, the number
+    #: of vertices, and which of them hold each box.
     geometry: StringProperty()
 
 
@@ -107,7 +106,11 @@ def find(obj, context, splits, symmetry, boxes=None):
     arrays, mesh = engine.searched(obj, context)
     given = None if boxes is None else given_boxes(obj, boxes, arrays.place)
     found = Found(mesh, splits, symmetry, given)
-    geometry = found.geometry() | {"place": arrays.place.tolist()}
+    geometry = found.geometry() | {
+        "place": arrays.place.tolist(),
+        "vertices": len(arrays.vertices),
+        "held": holders(arrays.vertices, found.graph),
+    }
     kept = obj.boxmorph
     count = found.graph.parameter_rows
     locks = [tuple(part.lock) for part in kept.items] if len(kept.items) == count else [(False,) * 3] * count
@@ -118,7 +121,7 @@ def find(obj, context, splits, symmetry, boxes=None):
         part.color = colorsys.hsv_to_rgb((0.58 + row * 0.618034) % 1.0, 0.65, 0.95)
     kept.active = min(kept.active, count - 1)
     kept.splits, kept.symmetry = found.splits, symmetry
-    kept.coarse = coarse_faces(arrays.vertices, arrays.triangles, found.graph)
+    kept.coarse = len(coarse_faces(arrays.vertices, arrays.triangles, found.graph))
     kept.geometry = json.dumps(geometry)
     redraw_viewports()
 
@@ -215,24 +218,6 @@ def part_names(boxes, count):
         name if names.count(name) == 1 else f"{name} {names[: i + 1].count(name)}"
         for i, name in enumerate(names)
     ]
-
-
-def coarse_faces(vertices, triangles, graph):
-    """Return how many triangles, (m,3), of two parts reach too far from one into the other to bend gently."""
-    owners = graph.assignment[triangles]
-    spanning = (owners != owners[:, :1]).any(axis=1)
-    corners, owners = vertices[triangles[spanning]], owners[spanning]
-    farthest = np.zeros(len(corners), np.float32)
-    for other in range(3):
-        center, half = (box[owners[:, None, other]] for box in (graph.box_center, graph.box_half_size))
-        away = np.linalg.norm(np.maximum(np.abs(corners - center) - half, 0.0), axis=2).max(axis=1)
-        farthest = np.maximum(farthest, away)
-    return int((farthest > _COARSE * reach(vertices)).sum())
-
-
-def reach(positions):
-    """Return half the diagonal of the bounding box of positions (n,3)."""
-    return float(np.linalg.norm(np.ptp(positions, axis=0))) / 2 if len(positions) else 0.0
 
 
 classes = (BoxmorphPart, BoxmorphParts)

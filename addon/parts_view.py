@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
-from . import parts
+from . import parts, parts_shown
 
 #: Corners of a box, by their signs, and the edges and triangles between them.
 _SIGNS = np.array([(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], np.float32)
@@ -47,20 +47,21 @@ def _draw():
     gpu.state.blend_set("ALPHA")
     with gpu.matrix.push_pop():
         gpu.matrix.multiply_matrix(obj.matrix_world @ Matrix(geometry["place"]).inverted().to_4x4())
-        _draw_boxes(obj.boxmorph, geometry["boxes"])
-        _draw_tree(geometry)
+        boxes = parts_shown.shown_boxes(obj, geometry, context.evaluated_depsgraph_get())
+        _draw_boxes(obj.boxmorph, boxes, [row for _center, _half, row in geometry["boxes"]])
+        _draw_tree(boxes, geometry["tree"])
     gpu.state.depth_test_set("NONE")
     gpu.state.blend_set("NONE")
 
 
-def _draw_boxes(kept, boxes):
+def _draw_boxes(kept, boxes, rows):
     import gpu
     from gpu_extras.batch import batch_for_shader
 
     faces = gpu.shader.from_builtin("UNIFORM_COLOR")
     # A little out of the surface, which they would else flicker with.
-    off = 0.003 * max(max(half) for _center, half, _row in boxes)
-    for center, half, row in boxes:
+    off = 0.003 * max(max(half) for _center, half in boxes)
+    for (center, half), row in zip(boxes, rows, strict=True):
         part = kept.items[row]
         corners = (np.float32(center) + _SIGNS * (np.float32(half) + off)).tolist()
         active, color = row == kept.active, tuple(part.color)
@@ -74,11 +75,10 @@ def _draw_boxes(kept, boxes):
         _lines([corners[i] for edge in _EDGES for i in edge], (*color, 0.25), 1.0)
 
 
-def _draw_tree(geometry):
+def _draw_tree(boxes, tree):
     import gpu
 
-    centers = [center for center, _half, _row in geometry["boxes"]]
-    ends = [centers[i] for edge in geometry["tree"] for i in edge]
+    ends = [boxes[i][0].tolist() for edge in tree for i in edge]
     if ends:
         gpu.state.depth_test_set("NONE")
         _lines(ends, (1.0, 1.0, 1.0, 0.8), 1.5)

@@ -11,7 +11,7 @@ import bmesh
 import numpy as np
 from mathutils import Vector
 
-from . import mesh_io, parts
+from . import mesh_io, parts, spanning
 from .errors import Refusal
 
 #: Half the width of the band, as a share of half the object's diagonal.
@@ -33,13 +33,17 @@ def refine(obj):
         raise Refusal(f"The parts of “{obj.name}” are not known yet. Find them first")
     mesh = obj.data
     before = len(mesh.polygons)
-    reach = parts.reach(mesh_io.basis_positions(mesh))
+    reach = spanning.reach(mesh_io.basis_positions(mesh))
     bm = bmesh.new()
     bm.from_mesh(mesh)
     normals = _keep_normals(bm, mesh)
     place = np.array(geometry["place"])
-    for cut in _cuts(geometry["boxes"], reach):
-        _bisect(bm, *cut, place, reach)
+    cuts = _cuts(geometry["boxes"], reach)
+    faces = _crossed_by_any(mesh, cuts, place, reach)
+    bm.faces.ensure_lookup_table()
+    faces = [bm.faces[index] for index in faces]
+    for cut in cuts:
+        _bisect(bm, faces, cut, place, reach)
     if len(bm.faces) > before:
         bm.to_mesh(mesh)
         _restore_normals(mesh, normals)
@@ -83,28 +87,51 @@ def _cuts(boxes, reach):
     return cuts
 
 
-def _bisect(bm, low, high, axis, at, place, reach):
-    """Bisect the faces that cross a plane within the box from `low` to `high`, all in the search's place."""
-    faces = []
-    for face in bm.faces:
-        corners = np.array([vertex.co for vertex in face.verts]) @ place.T
-        least, most = corners.min(0), corners.max(0)
-        crosses = least[axis] < at - _THROUGH * reach and most[axis] > at + _THROUGH * reach
-        beside = np.delete((least <= high) & (most >= low), axis)
-        if crosses and beside.all():
-            faces.append(face)
+def _crossed(least, most, cut, reach):
+    """Whether a cut goes through faces whose corners lie between `least` and `most`, (n,3)."""
+    low, high, axis, at = cut
+    across = np.arange(3) != axis
+    crossed = (least[:, axis] < at - _THROUGH * reach) & (most[:, axis] > at + _THROUGH * reach)
+    return crossed & ((least <= high) & (most >= low))[:, across].all(axis=1)
+
+
+def _crossed_by_any(mesh, cuts, place, reach):
+    """Return the indices of the faces that one of the cuts goes through: the only ones to be looked at."""
+    corners = np.empty(len(mesh.loops), np.int32)
+    mesh.attributes[".corner_vert"].data.foreach_get("value", corners)
+    starts = np.empty(len(mesh.polygons), np.int32)
+    mesh.polygons.foreach_get("loop_start", starts)
+    positions = (mesh_io.mesh_positions(mesh) @ place.T)[corners]
+    least, most = (ends.reduceat(positions, starts, axis=0) for ends in (np.minimum, np.maximum))
+    masks = [_crossed(least, most, cut, reach) for cut in cuts]
+    return np.flatnonzero(np.any(masks, axis=0)) if masks else []
+
+
+def _bisect(bm, faces, cut, place, reach):
+    """Bisect those of `faces` that a cut goes through, and add what they fall into to the list."""
     if not faces:
         return
-    edges = {edge for face in faces for edge in face.edges}
-    vertices = {vertex for face in faces for vertex in face.verts}
+    starts = np.cumsum([0] + [len(face.verts) for face in faces[:-1]])
+    corners = np.array([vertex.co[:] for face in faces for vertex in face.verts]) @ place.T
+    least, most = (ends.reduceat(corners, starts, axis=0) for ends in (np.minimum, np.maximum))
+    through = [faces[index] for index in np.flatnonzero(_crossed(least, most, cut, reach))]
+    if not through:
+        return
+    edges = {edge for face in through for edge in face.edges}
+    vertices = {vertex for face in through for vertex in face.verts}
+    _low, _high, axis, at = cut
     normal = Vector(place[axis])
-    bmesh.ops.bisect_plane(
+    pieces = bmesh.ops.bisect_plane(
         bm,
-        geom=[*vertices, *edges, *faces],
+        geom=[*vertices, *edges, *through],
         dist=_THROUGH * reach,
         plane_co=normal * (at / normal.length_squared),
         plane_no=normal,
     )
+    known = set(faces)
+    faces += [
+        piece for piece in pieces["geom"] if isinstance(piece, bmesh.types.BMFace) and piece not in known
+    ]
 
 
 def _keep_normals(bm, mesh):

@@ -10,13 +10,10 @@ from contextlib import suppress
 
 import numpy as np
 
-from . import engine, mesh_io, parts
+from . import engine, mesh_io, modifiers, parts, spanning
 from .errors import Refusal
 from .preferences import preferences
 from .shape_key import Trial
-
-#: How far the outcome under its modifiers may be from what was scored, as a share of its size.
-_DEPARTS = 0.01
 
 
 class Search:
@@ -70,6 +67,8 @@ class Search:
         self.progress = self._job.progress()
         self.result = None
         self.name = None
+        #: How far what is seen under the modifiers is from what was scored, as a share of its size.
+        self._away = 0.0
 
     def notes(self):
         """Return sentences that the user should read before the search: unknown words, left-out modifiers."""
@@ -115,7 +114,7 @@ class Search:
         self._shown_score, positions = best
         self._trial.write(obj, self.arrays.to_object(positions))
 
-    def keep(self, obj):
+    def keep(self, obj, context):
         """Make the finished search's result the outcome shape key of `obj`. Raises Refusal if it failed."""
         try:
             self._job.join()
@@ -128,26 +127,53 @@ class Search:
             raise Refusal("The search ended in coordinates that are not numbers; nothing was changed")
         report = dict(result.report())
         report["object"] = self.object_name
+        coarse = spanning.coarse_faces(self.arrays.vertices, self.arrays.triangles, result.graph)
+        report["coarse_faces"] = len(coarse)
+        report["worst_shear"] = spanning.worst_shear(
+            self.arrays.vertices, result.vertices, coarse, result.graph, result.scales
+        )
+        if self.arrays.points is not None:
+            positions, self._away = self._under_modifiers(obj, context, positions, result)
+            # JSON knows no infinity.
+            report["modifiers_depart"] = self._away if np.isfinite(self._away) else None
         self.name = self._trial.keep(obj, positions, result.slider_min, result.slider_max, report)
         report["shape_key"] = self.name
         self.result, self.report = result, report
 
-    def departures(self, obj, context):
+    def _under_modifiers(self, obj, context, positions, result):
+        """Return the positions corrected by what is seen under the modifiers, and how far that is from what
+        was scored; NaN where it cannot be seen.
+        """
+        self._trial.write(obj, positions)
+        rest, expected = (self.arrays.to_object(v) for v in (self.arrays.vertices, result.vertices))
+        correction = modifiers.Correction(obj, context, self._trial.key(obj), rest, expected)
+        try:
+            correction.run(positions)
+        except Refusal:
+            return positions, float("nan")
+        return correction.positions, correction.away
+
+    def departures(self, obj):
         """Return sentences on what is seen of the kept outcome but was not scored: modifiers that do not
         follow it.
         """
-        if self.arrays.points is None:
+        if not self._away > modifiers.DEPARTS:
             return []
-        expected = self.arrays.to_object(self.result.vertices)
-        away = mesh_io.modifiers_depart(obj, context, self.name, expected)
-        if away <= _DEPARTS:
-            return []
-        names = ", ".join(m.name for m in obj.modifiers if m.show_viewport)
-        how = f"up to {away:.0%} of its size" if np.isfinite(away) else "in the number of its vertices"
+        names = modifiers.departing(obj)
+        under, them = ("modifier", "it") if len(names) == 1 else ("modifiers", "them")
+        far = np.isfinite(self._away)
+        how = f"up to {100 * self._away:.2g}% of its size" if far else "in the number of its vertices"
         return [
-            f"Under its modifiers ({names}) the outcome differs from what was scored, {how}. "
-            "Apply those that depend on lengths or angles, and search again"
+            f"Under its {under} {', '.join(names)} the outcome differs from what was scored, {how}. "
+            f"Apply {them} and search again where that matters"
         ]
+
+    def shear(self):
+        """Return a sentence on the long faces that span parts and how far the kept outcome shears them, in a
+        list; empty where there are none.
+        """
+        clauses = spanning.clauses(self.report["coarse_faces"], self.report["worst_shear"])
+        return ["; ".join([*clauses, "Refine at Part Boundaries cuts them"])] if clauses else []
 
     def take_back(self, obj):
         """Restore `obj` as it was before the search. Returns whether there was anything to restore."""

@@ -60,10 +60,10 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         try:
             search = self._begin(context)
             search.run()
-            search.keep(context.active_object)
+            search.keep(context.active_object, context)
         except Refusal as refusal:
             return self._refuse(refusal)
-        self._report(search, context.active_object, context)
+        self._report(search, context.active_object)
         return {"FINISHED"}
 
     def invoke(self, context, _event):
@@ -122,13 +122,13 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             search.preview(obj)
             return {"PASS_THROUGH"}
         try:
-            search.keep(obj)
+            search.keep(obj, context)
         except Refusal as refusal:
             search.take_back(obj)
             _clear()
             return self._refuse(refusal)
         _clear()
-        self._report(search, obj, context)
+        self._report(search, obj)
         return {"FINISHED"}
 
     def _begin(self, context):
@@ -160,9 +160,11 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         self.report({"INFO"}, message)
         return {"CANCELLED"}
 
-    def _report(self, search, obj, context):
-        for note in search.departures(obj, context):
+    def _report(self, search, obj):
+        for note in search.departures(obj):
             self.report({"WARNING"}, note)
+        for note in search.shear():
+            self.report({"INFO"}, note)
         self.report({"INFO"}, search.summary())
 
     def _refuse(self, refusal):

@@ -44,6 +44,16 @@ def outcomes(mesh):
     return [mesh.shape_keys.key_blocks[name] for name in records(mesh)]
 
 
+def meant_outcome(obj):
+    """Return the name and report of the outcome that is meant: the active key, else the newest; (None, {})
+    where there is none.
+    """
+    stored = records(obj.data)
+    active = obj.active_shape_key.name if obj.active_shape_key else None
+    name = active if active in stored else next(reversed(stored), None)
+    return name, stored.get(name, {})
+
+
 def remove_outcome(obj, name):
     """Delete an outcome: its key, its record and its animation."""
     keys = obj.data.shape_keys
@@ -100,7 +110,7 @@ class Trial:
     def write(self, obj, positions):
         """Put `positions`, (n,3) float32, into the key, making it if need be, and show it at value 1."""
         mesh = obj.data
-        key = self._key(obj)
+        key = self.key(obj)
         if key is None:
             key = self._create(obj)
         key.points.foreach_set("co", np.ascontiguousarray(positions, np.float32).ravel())
@@ -111,7 +121,7 @@ class Trial:
     def keep(self, obj, positions, slider_min, slider_max, report):
         """Make the key an outcome with these slider limits and this record. Returns its name."""
         self.write(obj, positions)
-        key = self._key(obj)
+        key = self.key(obj)
         key.slider_min = max(-_SLIDER_LIMIT, min(float(slider_min), 0.0))
         key.slider_max = min(_SLIDER_LIMIT, max(float(slider_max), 1.0))
         key.value = 1.0
@@ -128,7 +138,7 @@ class Trial:
         Calling it again takes back a key that undo has brought again.
         """
         keys = obj.data.shape_keys
-        key = self._key(obj)
+        key = self.key(obj)
         if key is None or self._restored:
             return False
         if self.previous is not None:
@@ -148,7 +158,8 @@ class Trial:
         obj.data.update()
         return True
 
-    def _key(self, obj):
+    def key(self, obj):
+        """Return the key, or None where there is none yet or no longer."""
         keys = obj.data.shape_keys
         if keys is None or self.name is None:
             return None

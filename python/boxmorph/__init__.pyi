@@ -135,6 +135,7 @@ def render(
     size: int = 224,
     views: str = "paper",
     renderer: Renderer = "auto",
+    colors: NDArray[np.uint8] | None = None,  # (m, 3), of triangles; not with "gpu"
 ) -> NDArray[np.uint8]:
     """RGBA images with straight alpha, (views, size, size, 4). Raises RenderError."""
 

@@ -66,6 +66,13 @@ pub fn flags(value: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<[bool; 3]>> {
     Ok(array.as_slice()?.chunks_exact(3).map(|row| [row[0], row[1], row[2]]).collect())
 }
 
+/// An `(m, 3)` uint8 array.
+pub fn colors(value: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<[u8; 3]>> {
+    let array = flat::<u8>(value, name, "uint8")?;
+    check_columns(array.shape(), 3, name)?;
+    Ok(bytemuck::cast_slice(array.as_slice()?).to_vec())
+}
+
 /// An `(n, 2)` array of any integer dtype.
 pub fn pairs(value: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<[i32; 2]>> {
     let flat = flat_integers(value, name, 2)?;

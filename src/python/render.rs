@@ -6,11 +6,14 @@ use pyo3::prelude::*;
 
 use super::arrays;
 use super::errors::IntoPyErr;
-use crate::render::{Backend, RenderError, render_positions, views_by_name};
+use crate::render::{Backend, RenderError, render_colored, render_positions, views_by_name};
 
 /// Renders a mesh as the guide sees it: RGBA with straight alpha, (views, size, size, 4) uint8.
+///
+/// `colors`, (m, 3) uint8: each triangle is drawn in its color, lighter or darker by the light on it; None draws
+/// grey.
 #[pyfunction]
-#[pyo3(signature = (vertices, triangles, size=224, views="paper", renderer="auto"))]
+#[pyo3(signature = (vertices, triangles, size=224, views="paper", renderer="auto", colors=None))]
 pub fn render<'py>(
     py: Python<'py>,
     vertices: &Bound<'_, PyAny>,
@@ -18,13 +21,19 @@ pub fn render<'py>(
     size: u32,
     views: &str,
     renderer: &str,
+    colors: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Bound<'py, PyArray4<u8>>> {
     let vertices = arrays::vectors(vertices, "vertices")?;
     let triangles = arrays::triangles(triangles, "triangles")?;
+    let colors = colors.map(|colors| arrays::colors(colors, "colors")).transpose()?;
     let images = py.detach(|| -> Result<_, RenderError> {
         let views = views_by_name(views)?;
         let backend: Backend = renderer.parse()?;
-        Ok((views.len(), render_positions(backend, &vertices, &triangles, &views, size)?))
+        let images = match colors {
+            None => render_positions(backend, &vertices, &triangles, &views, size)?,
+            Some(colors) => render_colored(backend, &vertices, &triangles, &colors, &views, size)?,
+        };
+        Ok((views.len(), images))
     });
     let (views, bytes) = images.map_err(|e| IntoPyErr::into_py_err(&e))?;
     PyArray1::from_vec(py, bytes).reshape([views, size as usize, size as usize, 4])

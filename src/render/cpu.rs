@@ -27,6 +27,8 @@ impl<T: Default> Pool<T> {
 /// Renders on the CPU's cores, within the current `rayon` pool.
 pub(super) struct CpuRenderer {
     scene: Scene,
+    /// Red, green and blue of each triangle, 0 to 1; `None` draws grey.
+    colors: Option<Vec<[f32; 3]>>,
     cameras: Vec<Camera>,
     positions: Pool<Vec<Vec3>>,
     rasters: Pool<Raster>,
@@ -35,7 +37,17 @@ pub(super) struct CpuRenderer {
 impl CpuRenderer {
     pub fn new(scene: Scene) -> Self {
         let cameras = scene.views.iter().map(|&view| Camera::new(view)).collect();
-        Self { scene, cameras, positions: Pool::default(), rasters: Pool::default() }
+        Self { scene, colors: None, cameras, positions: Pool::default(), rasters: Pool::default() }
+    }
+
+    /// Draws each triangle in its color, lighter or darker by the light on it.
+    pub fn colored(scene: Scene, colors: &[[u8; 3]]) -> Result<Self, RenderError> {
+        let (expected, got) = (scene.triangles.len(), colors.len());
+        if got != expected {
+            return Err(RenderError::ColorRows { expected, got });
+        }
+        let colors = colors.iter().map(|color| color.map(|channel| f32::from(channel) / 255.0)).collect();
+        Ok(Self { colors: Some(colors), ..Self::new(scene) })
     }
 
     fn candidate(&self, index: usize, scales: &[Vec3], out: &mut [u8]) -> Result<(), RenderError> {
@@ -57,31 +69,49 @@ impl CpuRenderer {
         let size = self.scene.size as usize;
         raster.draw(camera, frame, positions, &self.scene.triangles, 2 * size);
         let shader = Shader::new(camera, frame);
-        let grey =
-            |index: usize| shader.grey(self.scene.triangles[index].map(|vertex| positions[vertex as usize]));
-        image.fill(0);
-        let [x0, x1, y0, y1] = raster.touched();
-        let (x0, x1) = (x0 / 2, x1.div_ceil(2));
-        let mut last = (usize::MAX, 0.0);
-        for y in y0 / 2..y1.div_ceil(2) {
-            let rows = [raster.row(2 * y), raster.row(2 * y + 1)];
-            for x in x0..x1 {
-                let samples = [rows[0][2 * x], rows[0][2 * x + 1], rows[1][2 * x], rows[1][2 * x + 1]];
-                let (mut sum, mut covered) = (0.0, 0u8);
-                for index in samples.into_iter().filter_map(triangle) {
-                    if index != last.0 {
-                        last = (index, grey(index));
-                    }
-                    sum += last.1;
-                    covered += 1;
+        let corners = |index: usize| self.scene.triangles[index].map(|vertex| positions[vertex as usize]);
+        match &self.colors {
+            None => resolve(raster, size, image, |index| [shader.grey(corners(index))]),
+            Some(colors) => resolve(raster, size, image, |index| {
+                let light = shader.light(corners(index));
+                colors[index].map(|channel| light * channel)
+            }),
+        }
+    }
+}
+
+/// Averages the samples of each pixel; `shade` gives a triangle's grey, or its red, green and blue.
+fn resolve<const CHANNELS: usize>(
+    raster: &Raster,
+    size: usize,
+    image: &mut [u8],
+    shade: impl Fn(usize) -> [f32; CHANNELS],
+) {
+    image.fill(0);
+    let [x0, x1, y0, y1] = raster.touched();
+    let (x0, x1) = (x0 / 2, x1.div_ceil(2));
+    let mut last = (usize::MAX, [0.0; CHANNELS]);
+    for y in y0 / 2..y1.div_ceil(2) {
+        let rows = [raster.row(2 * y), raster.row(2 * y + 1)];
+        for x in x0..x1 {
+            let samples = [rows[0][2 * x], rows[0][2 * x + 1], rows[1][2 * x], rows[1][2 * x + 1]];
+            let (mut sum, mut covered) = ([0.0; CHANNELS], 0u8);
+            for index in samples.into_iter().filter_map(triangle) {
+                if index != last.0 {
+                    last = (index, shade(index));
                 }
-                if covered > 0 {
-                    let byte = |value: f32| (value * 255.0 + 0.5) as u8;
-                    let grey = byte(sum / f32::from(covered));
-                    let alpha = byte(f32::from(covered) / 4.0);
-                    let at = 4 * (y * size + x);
-                    image[at..at + 4].copy_from_slice(&[grey, grey, grey, alpha]);
+                for (sum, value) in sum.iter_mut().zip(last.1) {
+                    *sum += value;
                 }
+                covered += 1;
+            }
+            if covered > 0 {
+                let byte = |value: f32| (value * 255.0 + 0.5) as u8;
+                let shade = sum.map(|sum| byte(sum / f32::from(covered)));
+                let [red, green, blue] = [0, 1, 2].map(|channel: usize| shade[channel.min(CHANNELS - 1)]);
+                let alpha = byte(f32::from(covered) / 4.0);
+                let at = 4 * (y * size + x);
+                image[at..at + 4].copy_from_slice(&[red, green, blue, alpha]);
             }
         }
     }

@@ -33,6 +33,17 @@ pub enum RenderError {
         /// Number of vertices there are.
         vertices: usize,
     },
+    /// Another number of colors than of triangles.
+    #[error("there are {got} colors for {expected} triangles: give one color each")]
+    ColorRows {
+        /// Triangles of the mesh.
+        expected: usize,
+        /// Colors given.
+        got: usize,
+    },
+    /// Colors, for the backend that has none.
+    #[error("the renderer \"gpu\" draws no colors: choose \"cpu\" or \"auto\"")]
+    ColorsOnGpu,
     /// A candidate with another number of scale factors than the field has parameter rows.
     #[error(
         "candidate {candidate} has {got} rows of scale factors, but the field has {expected}: give one row each"
@@ -80,6 +91,8 @@ impl RenderError {
                 | Self::NoTriangles
                 | Self::TriangleIndex { .. }
                 | Self::NonFinite { .. }
+                | Self::ColorRows { .. }
+                | Self::ColorsOnGpu
         )
     }
 }

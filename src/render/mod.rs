@@ -110,3 +110,25 @@ pub fn render_positions(
     renderer.render(&[Vec::new()], &mut out)?;
     Ok(out)
 }
+
+/// Renders a shape as [`render_positions`] does, but each triangle in its color, lighter or darker by the light on
+/// it.
+///
+/// Colors are drawn on the CPU alone: there is no candidate to hurry for.
+pub fn render_colored(
+    backend: Backend,
+    positions: &[Vec3],
+    triangles: &[[u32; 3]],
+    colors: &[[u8; 3]],
+    views: &[View],
+    size: u32,
+) -> Result<Vec<u8>, RenderError> {
+    if backend == Backend::Gpu {
+        return Err(RenderError::ColorsOnGpu);
+    }
+    let field = Arc::new(DeformField::new(positions.to_vec(), 0, Vec::new()));
+    let scene = Scene::new(field, triangles.into(), views, size)?;
+    let mut out = Vec::new();
+    cpu::CpuRenderer::colored(scene, colors)?.render(&[Vec::new()], &mut out)?;
+    Ok(out)
+}

@@ -9,6 +9,9 @@ const ALBEDO: f32 = 0.6;
 const BAND_0: f32 = 0.282_09;
 const BAND_1: f32 = 0.488_60;
 
+/// The light of a color where the grey would be black.
+const SHADOW: f32 = 0.35;
+
 /// Shades the faces of one candidate in one view.
 ///
 /// Value: `0.6 · clamp01(0.28209 + 0.48860 (nx + ny + nz))` with the flat face normal in camera space. The
@@ -37,5 +40,11 @@ impl Shader {
         let towards = self.eye - (a - self.frame.centre) * unit;
         let facing = if normal.dot(towards) < 0.0 { -length } else { length };
         ALBEDO * (BAND_0 + BAND_1 * (normal.dot(self.light) / facing)).clamp(0.0, 1.0)
+    }
+
+    /// What the color of this face is multiplied with: 1 where it is lit, and never so dark that the color could
+    /// not be told.
+    pub fn light(&self, corners: [Vec3; 3]) -> f32 {
+        SHADOW + (1.0 - SHADOW) / ALBEDO * self.grey(corners)
     }
 }

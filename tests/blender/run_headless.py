@@ -70,7 +70,7 @@ def check_suite(bench, counts):
 
 def check_done(bench, boxmorph, counts):
     """What works: exit code 0, and files as promised."""
-    suite, inside, outside = bench.suite, bench.inside, bench.outside
+    inside, outside = bench.inside, bench.outside
     run = boxmorph(
         *("deform", "--object", "Chair", "--prompt", "a bar stool", "--seed", "3", "--splits", "3"),
         *("--symmetry", "x", "--keyframes", "1:60", "--output", f"{inside}/out.blend"),
@@ -88,11 +88,7 @@ def check_done(bench, boxmorph, counts):
         report,
     )
     for name in ("sheet.png", "spectrum.png"):
-        picture = Path(f"{outside}/{name}")
-        good = picture.is_file() and picture.read_bytes()[:4] == b"\x89PNG" and picture.stat().st_size > 2000
-        counts.check(good, f"{name} is a picture")
-        if good:
-            shutil.copy(picture, ARTIFACTS / f"headless-{suite}-{name}")
+        check_picture(bench, name, counts)
     seen = look(bench, f"{inside}/out.blend").get("Chair", {})
     key = seen.get("keys", {}).get("a bar stool")
     counts.check(
@@ -109,9 +105,10 @@ def check_done(bench, boxmorph, counts):
     )
     counts.check(seen.get("curves") == [[[1, 0], [60, 1]]], "the spectrum is keyframed", seen)
 
-    run = boxmorph("parts", "--object", "Chair", "--splits", "3")
+    run = boxmorph("parts", "--object", "Chair", "--splits", "3", "--sheet", f"{inside}/parts.png")
     listed = [line.partition(":")[0] for line in run.stdout.splitlines() if " × " in line]
     counts.check(run.returncode == 0 and len(listed) > 1, "parts are listed by name", run.stdout + run.stderr)
+    check_picture(bench, "parts.png", counts)
     run = boxmorph(
         *("deform", "--object", "Chair", "--prompt", "a bar stool", "--splits", "3", "--lock", listed[0]),
         *("--output", f"{inside}/locked.blend", "--report", f"{inside}/locked.json", "--scales", "0.5:2"),
@@ -132,6 +129,15 @@ def check_done(bench, boxmorph, counts):
     counts.check(
         "zzgribble" in run.stderr and "does not know" in run.stderr, "an unknown word is named", run.stderr
     )
+
+
+def check_picture(bench, name, counts):
+    """A picture was written; keep it to be looked at."""
+    picture = Path(f"{bench.outside}/{name}")
+    good = picture.is_file() and picture.read_bytes()[:4] == b"\x89PNG" and picture.stat().st_size > 2000
+    counts.check(good, f"{name} is a picture")
+    if good:
+        shutil.copy(picture, ARTIFACTS / f"headless-{bench.suite}-{name}")
 
 
 def check_failed(inside, boxmorph, counts):

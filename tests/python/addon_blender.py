@@ -107,6 +107,26 @@ def chair(half=False):
     return obj
 
 
+def mushroom():
+    """Add a slab on a block, of one coarse piece."""
+    outline = [
+        (-0.2, 0.0),
+        (-0.2, 1.0),
+        (-1.0, 1.0),
+        (-1.0, 1.2),
+        (1.0, 1.2),
+        (1.0, 1.0),
+        (0.2, 1.0),
+        (0.2, 0.0),
+    ]
+    n = len(outline)
+    vertices = [(x, y, z) for y in (-0.5, 0.5) for x, z in outline]
+    caps = [(0, 1, 6, 7), (1, 2, 3, 4, 5, 6)]
+    faces = [tuple(reversed(cap)) for cap in caps] + [tuple(i + n for i in cap) for cap in caps]
+    faces += [(i, (i + 1) % n, (i + 1) % n + n, i + n) for i in range(n)]
+    return add("Mushroom", vertices, faces)
+
+
 def fingerprint(obj):
     """Return all of an object that a deformation must not touch, as comparable Python data."""
     mesh = obj.data

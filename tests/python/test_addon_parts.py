@@ -181,3 +181,46 @@ def test_scales_stay_in_the_range_of_the_panel():
     assert scales.min() >= 0.9 - 1e-6 and scales.max() <= 1.2 + 1e-6
     key = blender.positions(obj.data.shape_keys.key_blocks[PROMPT])
     assert np.isclose(np.ptp(key[:, 2]), rest, rtol=1e-4)
+
+
+def shown(obj):
+    """Return low and high of the boxes as they are drawn, and of the vertices of each, (b,2,3)."""
+    geometry = blender.addon("parts").geometry(obj)
+    bpy.context.view_layer.update()
+    boxes = blender.addon("parts_shown").shown_boxes(obj, geometry, bpy.context.evaluated_depsgraph_get())
+    return np.array([(center - half, center + half) for center, half in boxes])
+
+
+@pytest.mark.parametrize("value", [1.0, 0.5, -0.25])
+def test_boxes_are_drawn_around_the_outcome_that_is_shown(chair, value):
+    rest = blender.evaluated_positions(chair)
+    before = shown(chair)
+    blender.deform(PROMPT)
+    key = chair.data.shape_keys.key_blocks[PROMPT]
+    key.value = value
+    now = blender.evaluated_positions(chair)
+    after = shown(chair)
+    assert np.abs(after - before).max() > 0.02
+    # Each island of the chair lies in the box that it lay in.
+    for island in range(len(rest) // 8):
+        own = slice(8 * island, 8 * island + 8)
+        for was, box in zip(before, after, strict=True):
+            inside = (rest[own] >= was[0] - 1e-3).all() and (rest[own] <= was[1] + 1e-3).all()
+            if inside:
+                assert (now[own] >= box[0] - 0.02).all() and (now[own] <= box[1] + 0.02).all()
+    assert np.allclose((after[:, 0].min(0), after[:, 1].max(0)), (now.min(0), now.max(0)), atol=0.02)
+    key.value = 0.0
+    assert np.allclose(shown(chair), before, atol=1e-6)
+
+
+def test_boxes_follow_under_modifiers_and_stay_where_vertices_are_others():
+    obj = blender.chair(half=True)
+    bpy.ops.boxmorph.find_parts()
+    before = shown(obj)
+    blender.deform(PROMPT)
+    now = blender.evaluated_positions(obj)
+    after = shown(obj)
+    assert np.abs(after - before).max() > 0.02
+    assert np.allclose((after[:, 0].min(0), after[:, 1].max(0)), (now.min(0), now.max(0)), atol=0.02)
+    obj.modifiers["Subdivision"].levels = 2
+    assert np.allclose(shown(obj), before, atol=1e-6)

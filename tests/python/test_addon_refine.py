@@ -17,22 +17,7 @@ def _scene():
 @pytest.fixture
 def mushroom():
     """A slab on a block of one coarse piece, with UVs, two materials, a group, a shape key and normals."""
-    outline = [
-        (-0.2, 0.0),
-        (-0.2, 1.0),
-        (-1.0, 1.0),
-        (-1.0, 1.2),
-        (1.0, 1.2),
-        (1.0, 1.0),
-        (0.2, 1.0),
-        (0.2, 0.0),
-    ]
-    n = len(outline)
-    vertices = [(x, y, z) for y in (-0.5, 0.5) for x, z in outline]
-    caps = [(0, 1, 6, 7), (1, 2, 3, 4, 5, 6)]
-    faces = [tuple(reversed(cap)) for cap in caps] + [tuple(i + n for i in cap) for cap in caps]
-    faces += [(i, (i + 1) % n, (i + 1) % n + n, i + n) for i in range(n)]
-    obj = blender.add("Mushroom", vertices, faces)
+    obj = blender.mushroom()
     mesh = obj.data
     for name in ("Cap", "Stem"):
         mesh.materials.append(bpy.data.materials.new(name))

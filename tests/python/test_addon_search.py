@@ -62,7 +62,7 @@ def test_cancelled_search_has_no_result():
     search.cancel(wait=True)
     assert search.poll()
     with pytest.raises(blender.addon("errors").Refusal):
-        search.keep(obj)
+        search.keep(obj, bpy.context)
     search.take_back(obj)
     assert obj.data.shape_keys is None
 
@@ -84,5 +84,5 @@ def test_key_deleted_by_hand_during_the_search():
     search = started(obj, preset="standard")
     obj.shape_key_clear()
     search.run()
-    search.keep(obj)
+    search.keep(obj, bpy.context)
     assert [key.name for key in obj.data.shape_keys.key_blocks] == ["Basis", "a bar stool"]
