@@ -3,38 +3,11 @@
 
 mod common;
 
-use boxmorph::boxdef::{Boundary, BoxDefGraph, Symmetry};
+use boxmorph::boxdef::Symmetry;
 use boxmorph::mesh::{Mesh, MeshError};
+use common::check::check;
 use common::{Maker, ball, chair, v};
 use glam::Vec3;
-use rand::{Rng, RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
-
-/// What must hold for every mesh.
-fn check(name: &str, mesh: &Mesh, splits: u32, symmetry: Symmetry) -> BoxDefGraph {
-    let graph =
-        BoxDefGraph::build(mesh, splits, symmetry, Boundary::Smooth).expect("every valid mesh has a graph");
-    let boxes = graph.box_center().len();
-    assert!(boxes >= 1 && boxes <= 2 * splits as usize + 1, "{name}: {boxes} boxes after {splits} splits");
-    assert_eq!(graph.assignment().len(), mesh.vertices().len());
-    assert!(graph.assignment().iter().all(|&owner| (0..boxes as i32).contains(&owner)), "{name}");
-    for part in graph.box_center().iter().chain(graph.box_half_size()) {
-        assert!(part.is_finite(), "{name}");
-    }
-    let mut reached = vec![false; boxes];
-    reached[graph.tree_edges().first().map_or(0, |edge| edge[0] as usize)] = true;
-    for &[parent, child] in graph.tree_edges() {
-        assert!(reached[parent as usize] && !reached[child as usize], "{name}: the tree is out of order");
-        reached[child as usize] = true;
-    }
-    assert!(reached.iter().all(|&r| r), "{name}: the graph is not connected");
-    assert!(graph.field().basis().iter().all(|b| b.is_finite()), "{name}: the field is not finite");
-    let ones = vec![Vec3::ONE; graph.parameter_rows()];
-    assert_eq!(graph.deform(&ones).unwrap(), mesh.vertices(), "{name}");
-    let back = BoxDefGraph::from_parts(mesh, graph.parts().clone(), Boundary::Smooth);
-    assert!(back.is_ok(), "{name}: its own parts are refused: {:?}", back.err());
-    graph
-}
 
 #[test]
 fn arrays_that_make_no_mesh_are_refused_with_a_sentence() {
@@ -183,60 +156,4 @@ fn extreme_sizes_and_shapes_work() {
         }
     }
     check("ball about z", &ball(), 3, Symmetry::Z);
-}
-
-#[test]
-fn random_nasty_meshes_all_work() {
-    for seed in 0..80 {
-        let mut rng = ChaCha8Rng::seed_from_u64(seed);
-        let Ok(mesh) = nasty(&mut rng) else { continue };
-        let symmetry =
-            [Symmetry::Auto, Symmetry::None, Symmetry::X, Symmetry::Y, Symmetry::Z][rng.random_range(0..5)];
-        let graph = check(&format!("seed {seed}"), &mesh, rng.random_range(1..9), symmetry);
-        let points: Vec<Vec3> = (0..20).map(|_| mesh.vertices()[0] + spread(&mut rng, 3.0)).collect();
-        let field = graph.field_at(&points).unwrap();
-        assert!(field.basis().iter().all(|b| b.is_finite()), "seed {seed}");
-    }
-}
-
-fn spread(rng: &mut impl Rng, size: f32) -> Vec3 {
-    Vec3::from_array(std::array::from_fn(|_| rng.random_range(-size..size)))
-}
-
-/// Islands of all kinds, thrown together; some of their corners moved onto each other or far away.
-fn nasty(rng: &mut ChaCha8Rng) -> Result<Mesh, MeshError> {
-    let mut m = Maker::default();
-    for _ in 0..rng.random_range(1..12) {
-        let (at, size) = (spread(rng, 2.0), spread(rng, 1.5).abs() + 1e-4);
-        let n = rng.random_range(1..5);
-        match rng.random_range(0..6) {
-            0 => m.cuboid(at, at + size, n),
-            1 => m.sphere(at, size.x, n + 2),
-            2 => m.patch(at, spread(rng, 1.0), spread(rng, 1.0), (n, 2)),
-            3 => m.patch(at, v(size.x, 0.0, 0.0), v(0.0, size.y, 0.0), (n, n)),
-            4 => m.cuboid(at, at + v(size.x, 1e-6, size.z), n),
-            _ => {
-                let first = m.vertices.len() as u32;
-                m.vertices.extend((0..9).map(|_| at + spread(rng, 0.5)));
-                let soup = (0..20).map(|_| [0; 3].map(|_: u32| first + rng.random_range(0..9)));
-                m.triangles.extend(soup);
-                &mut m
-            }
-        };
-    }
-    if rng.random_bool(0.3) {
-        m = m.mirrored(rng.random_range(0..3));
-    }
-    let count = m.vertices.len();
-    for _ in 0..rng.random_range(0..5) {
-        let (a, b) = (rng.random_range(0..count), rng.random_range(0..count));
-        m.vertices[a] = m.vertices[b];
-    }
-    if rng.random_bool(0.2) {
-        m.vertices.push(spread(rng, 100.0));
-    }
-    let unit = 10.0_f32.powf(rng.random_range(-6.0..6.0));
-    let flat = if rng.random_bool(0.2) { v(1.0, 0.0, 1.0) } else { Vec3::ONE };
-    let m = m.moved(|p| p * unit * flat);
-    Mesh::new(m.vertices, m.triangles)
 }
