@@ -8,7 +8,7 @@ WHEEL_SOURCES := Cargo.toml Cargo.lock pyproject.toml $(wildcard guides/mini/*) 
 	$(shell find src python -name '*.rs' -o -name '*.wgsl' -o -name '*.py' -o -name '*.pyi')
 ADDON_SOURCES := scripts/build_extension.py $(shell find addon -type f -not -name '*.pyc')
 
-.PHONY: help tools setup test demo bench extension guide lint format clean
+.PHONY: help tools setup test demo pictures bench extension guide lint format clean
 
 help: ## list the targets
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -46,6 +46,9 @@ test: extension $(VENV)/.test-requirements ## run all tests, ending in their cou
 
 demo: extension ## deform the example objects, results in demo/out/
 	$(BIN)/python demo/run.py
+
+pictures: extension ## deform odd meshes of every kind, pictures of docs/meshes.md in docs/images/meshes/
+	$(BIN)/python demo/meshes.py
 
 bench: setup $(VENV)/.test-requirements ## measure field, rendering, encoding and search, as ratios in one run
 	$(BIN)/python benches/bench.py

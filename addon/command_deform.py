@@ -53,6 +53,9 @@ def add_to(commands):
         help="how far parts may be scaled (default: 0.3:3.1)",
     )
     deform.add_argument(
+        "--shift-parts", action="store_true", help="let parts also slide over those they hang on"
+    )
+    deform.add_argument(
         "--renderer", choices=[item[0] for item in RENDERERS], help="default: as in the preferences"
     )
     deform.add_argument(
@@ -97,6 +100,7 @@ def _deform(options):
         keep_size=options.keep_size,
         least_scale=options.scales[0],
         greatest_scale=options.scales[1],
+        shift_parts=options.shift_parts,
         renderer=options.renderer,
     )
     for note in search.notes():

@@ -142,6 +142,7 @@ class BOXMORPH_PT_search(_Sidebar, bpy.types.Panel):
         column = layout.column(align=True)
         column.prop(settings, "least_scale")
         column.prop(settings, "greatest_scale")
+        layout.prop(settings, "shift_parts")
         layout.prop(preferences(), "renderer")
 
 

@@ -113,6 +113,12 @@ class SearchProperties:
         max=10.0,
         default=3.1,
     )
+    shift_parts: BoolProperty(
+        name="Shift Parts",
+        description="Let parts also slide over those they hang on: legs outwards, wings back. "
+        "More can be reached, and the search is less sure to find it",
+        default=False,
+    )
 
 
 class BoxmorphSettings(SearchProperties, bpy.types.PropertyGroup):

@@ -31,6 +31,7 @@ class Search:
         keep_size="auto",
         least_scale=0.3,
         greatest_scale=3.1,
+        shift_parts=False,
         renderer=None,
     ):
         mesh_io.deformable(obj)
@@ -45,6 +46,7 @@ class Search:
         options = {
             "keep_size": None if keep_size == "auto" else keep_size,
             "scale_range": (least_scale, greatest_scale),
+            "shift_parts": shift_parts,
             "renderer": renderer or preferences().renderer,
         }
         if self.arrays.points is not None:
@@ -55,7 +57,7 @@ class Search:
                 options["locked"] = self.locked
             else:
                 options["splits"] = "auto" if splits == "auto" else int(splits)
-                options["symmetry"] = symmetry
+                options["symmetry"] = None if symmetry == "auto" else symmetry
             self._job = self._boxmorph.Job(
                 mesh, self.prompt, guide=guide, preset=preset, seed=seed, **options
             )

@@ -15,19 +15,23 @@ def render(folder, frame):
     """The one object of the .blend in `folder` at `frame`, on the page with its shadow, (h, w, 3)."""
     (path,) = folder.glob("*.blend")
     bpy.ops.wm.open_mainfile(filepath=str(path))
+    bpy.context.scene.frame_set(frame)
+    return shoot(_positions(bpy.context.active_object), folder / f"portrait-{frame}.png")
+
+
+def shoot(corners, path, size=(WIDTH, HEIGHT), samples=_SAMPLES):
+    """The open scene, aimed at `corners`, (n, 3), on the page with its shadow, (h, w, 3); saved as `path`."""
     scene = bpy.context.scene
-    scene.frame_set(frame)
-    corners = _positions(bpy.context.active_object)
+    scene.render.resolution_x, scene.render.resolution_y = size
     _stage(scene, float(np.linalg.norm(np.ptp(corners, axis=0))))
     _aim(scene, corners)
     scene.render.engine = "CYCLES"
-    scene.cycles.samples, scene.cycles.use_denoising, scene.cycles.seed = _SAMPLES, True, 0
-    scene.render.resolution_x, scene.render.resolution_y = WIDTH, HEIGHT
+    scene.cycles.samples, scene.cycles.use_denoising, scene.cycles.seed = samples, True, 0
     scene.render.film_transparent = True
     scene.render.image_settings.file_format = "PNG"
     scene.render.image_settings.color_mode = "RGBA"
     scene.view_settings.view_transform = "Standard"
-    scene.render.filepath = str(folder / f"portrait-{frame}.png")
+    scene.render.filepath = str(path)
     bpy.ops.render.render(write_still=True)
     return _on_page(scene.render.filepath)
 
@@ -57,7 +61,6 @@ def _aim(scene, points):
     bpy.ops.object.camera_add(rotation=(-_VIEW).to_track_quat("-Z", "Y").to_euler())
     camera = scene.camera = bpy.context.object
     camera.data.clip_end = 1e4
-    scene.render.resolution_x, scene.render.resolution_y = WIDTH, HEIGHT
     camera.data.lens = 75
     place, _ = camera.camera_fit_coords(bpy.context.evaluated_depsgraph_get(), points.ravel().tolist())
     camera.location = place
@@ -66,9 +69,10 @@ def _aim(scene, points):
 
 def _on_page(path):
     image = bpy.data.images.load(path)
-    pixels = np.empty(WIDTH * HEIGHT * 4, np.float32)
+    width, height = image.size
+    pixels = np.empty(width * height * 4, np.float32)
     image.pixels.foreach_get(pixels)
-    pixels = pixels.reshape(HEIGHT, WIDTH, 4)[::-1]
+    pixels = pixels.reshape(height, width, 4)[::-1]
     mixed = 255 * pixels[..., :3] * pixels[..., 3:] + PAGE * (1 - pixels[..., 3:])
     # Every second shade is enough, and makes the file a third smaller.
     return (np.clip(np.rint(mixed / 2), 0, 127) * 2).astype(np.uint8)

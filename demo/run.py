@@ -39,8 +39,8 @@ def main():
     options = parser.parse_args()
     shutil.rmtree(OUT, ignore_errors=True)
     OUT.mkdir(parents=True)
-    say = _speak_alone()
-    extension = _install()
+    say = speak_alone()
+    extension = install()
     began = time.monotonic()
     rows = []
     for name in options.object or PROMPTS:
@@ -57,7 +57,7 @@ def main():
         say(_readme(options.object or PROMPTS))
 
 
-def _speak_alone():
+def speak_alone():
     """Send what Blender prints, in C and in Python, to nowhere. Returns a print() to the terminal."""
     terminal = os.fdopen(os.dup(1), "w", buffering=1)
     nowhere = open(os.devnull, "w")
@@ -66,7 +66,7 @@ def _speak_alone():
     return functools.partial(print, file=terminal)
 
 
-def _install():
+def install():
     """Install the built zip where no Blender of the user's sees it. Returns the extension's package name."""
     zips = sorted((ROOT / "dist").glob("boxmorph-*-*.zip"), key=os.path.getmtime)
     if not zips:

@@ -2,6 +2,8 @@
 //! Meshes made for tests. Units are arbitrary, z is up.
 #![allow(dead_code, reason = "each test binary uses some of these")]
 
+pub mod check;
+
 use boxmorph::mesh::Mesh;
 use glam::Vec3;
 
