@@ -148,7 +148,7 @@ CASES = {
 EXACT = {"mirror, clipped and merged", "mirror", "armature at rest"}
 
 #: Those whose own lengths keep them from it, by the modifier that is to be named.
-NAMED = {name: "Array" for name in CASES if name.startswith("array")} | {"screw": "Screw"}
+NAMED = {name: "Array" for name in CASES if name.startswith("array by")} | {"screw": "Screw"}
 
 
 def searched(obj, splits="2"):
