@@ -36,7 +36,7 @@ fn failure(seed: u64) -> Option<String> {
     let tried = catch_unwind(AssertUnwindSafe(|| {
         let graph = check(&name, &mesh, splits, symmetry);
         moves_finitely(&mut rng, &mesh, &graph);
-        if seed % SAMPLE == 0 {
+        if seed.is_multiple_of(SAMPLE) {
             let again = BoxDefGraph::build(&mesh, splits, symmetry, Boundary::Smooth).unwrap();
             assert_eq!(bits(&graph), bits(&again), "built twice, it differs");
             assert_eq!(graph, again, "built twice, it differs");
