@@ -120,8 +120,11 @@ fn walls_all_around_stay_whole() {
 #[test]
 fn a_box_does_not_reach_through_the_air_for_scraps() {
     let mut plane = aeroplane();
+    // Wide wings and a high fin, so that the first cut is above the body, through the tips of the wings.
+    plane.cuboid(v(-1.2, -0.6, -0.02), v(1.2, 0.6, 0.02), 6);
+    plane.cuboid(v(-0.015, 0.7, 0.12), v(0.015, 1.0, 0.9), 4);
     for side in [-1.0, 1.0] {
-        plane.cuboid(v(side * 0.97 - 0.03, -0.05, 0.0), v(side * 0.97 + 0.03, 0.05, 0.25), 1);
+        plane.cuboid(v(side * 0.97 - 0.03, -0.05, 0.0), v(side * 0.97 + 0.03, 0.05, 0.17), 1);
     }
     for splits in 1..=8 {
         let graph = build(&plane.clone().mesh(), splits);
