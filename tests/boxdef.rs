@@ -96,6 +96,50 @@ fn what_has_no_parts_stays_whole() {
 }
 
 #[test]
+fn walls_all_around_stay_whole() {
+    let mut cup = Maker::default();
+    let outside = [(0.0, 0.0), (0.35, 0.0), (0.4, 1.0)];
+    cup.lathe(Vec3::ZERO, 48, &[&outside[..], &[(0.36, 1.0), (0.31, 0.05), (0.0, 0.05)]].concat());
+    let cup = build(&cup.mesh(), 8);
+    // The bottom may be a part, a slice of the wall may not.
+    assert!(
+        cup.box_half_size().iter().all(|half| half.x > 0.35 && half.y > 0.35),
+        "{:?}",
+        cup.box_half_size()
+    );
+    let mut bookcase = Maker::default();
+    for side in [-0.4, 0.36] {
+        bookcase.cuboid(v(side, -0.15, 0.0), v(side + 0.04, 0.15, 1.2), 2);
+    }
+    for shelf in [0.0, 0.4, 0.8, 1.16] {
+        bookcase.cuboid(v(-0.36, -0.15, shelf), v(0.36, 0.15, shelf + 0.04), 2);
+    }
+    let bookcase = build(&bookcase.mesh(), 8);
+    assert_eq!(bookcase.box_center().len(), 1, "a bookcase: {:?}", bookcase.box_half_size());
+}
+
+#[test]
+fn a_box_does_not_reach_through_the_air_for_scraps() {
+    let mut plane = aeroplane();
+    // Wide wings and a high fin, so that the first cut is above the body, through the tips of the wings.
+    plane.cuboid(v(-1.2, -0.6, -0.02), v(1.2, 0.6, 0.02), 6);
+    plane.cuboid(v(-0.015, 0.7, 0.12), v(0.015, 1.0, 0.9), 4);
+    for side in [-1.0, 1.0] {
+        plane.cuboid(v(side * 0.97 - 0.03, -0.05, 0.0), v(side * 0.97 + 0.03, 0.05, 0.17), 1);
+    }
+    for splits in 1..=8 {
+        let graph = build(&plane.clone().mesh(), splits);
+        for (center, half) in graph.box_center().iter().zip(graph.box_half_size()) {
+            let holds_wings = center.z - half.z < 0.05;
+            assert!(
+                holds_wings || half.x < 0.5,
+                "{splits} splits: a box from wing tip to wing tip: {center} {half}"
+            );
+        }
+    }
+}
+
+#[test]
 fn symmetry_is_found_on_x_and_y_and_only_there() {
     let x_and_y = table(1).mesh();
     assert_eq!(build(&x_and_y, 2).symmetry(), Symmetry::Xy);

@@ -10,6 +10,7 @@ mod field;
 mod frame;
 mod given;
 mod graph;
+mod hollow;
 mod islands;
 mod layout;
 mod nearest;

@@ -93,13 +93,6 @@ impl Profile {
         1.0 - self.prisms(at) as f64 / (self.outer[0] * reach as u64) as f64
     }
 
-    /// The lesser share of the axis that a cut leaves on a side.
-    pub(super) fn margin(&self, at: usize) -> f64 {
-        let (half, reach) = (self.layers.len() / 2, self.outer.len() - 1);
-        let at = if self.doubled { at.abs_diff(half) } else { at };
-        at.min(reach - at) as f64 / reach as f64
-    }
-
     /// The cut less than `within` layers from `at` with the least prisms; of equals the one nearest to `at`.
     pub(super) fn sharpen(&self, at: usize, within: usize) -> usize {
         let candidates = (at + 1).saturating_sub(within).max(1)..(at + within).min(self.layers.len());

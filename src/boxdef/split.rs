@@ -7,18 +7,20 @@
 //! distances, into a box on the plane and one off it, which stands for its mirror images.
 //!
 //! Where this differs from the authors' program:
-//! - A number of splits is a budget. A clear cut must follow a step, not a slope: the areas must change clearly
+//! - A number of splits is a budget. A cut must follow a step, not a slope: the areas must change clearly
 //!   more than they do between the slabs next to them, or a short slope between two flat stretches; and
 //!   it must be a great step or save volume. A plain box, a sphere or a cone stays whole.
-//!   Only where there was a clear cut are the first four used up, with less reason if need be.
+//! - Walls that go all around are not cut open: a cup's, a tub's, a bookcase's.
 //! - Empty layers part a box at once, however narrow they are: separate legs are separate parts.
 //! - Both ends are scanned: a thin top at the far end is found as well as one at the near end.
 //! - The cut is moved to the layer, within a slab, where two prisms hold the piece best.
 //! - The score is also weighed by the share of the box's volume that the pieces' boxes take up.
-//! - A piece whose longest side is short is not worth a box of its own.
+//! - A piece whose longest side is short is not worth a box of its own. Where it stands apart from the rest of
+//!   its side of a cut, it is left to the nearest box.
 //! - All limits are whole cells, so that no rounding decides between two results.
 
 use super::frame::CELL;
+use super::hollow::opens_walls;
 use super::occupancy::{CellBox, Occupancy};
 use super::profile::{Profile, step};
 use super::symmetry::Symmetry;
@@ -32,8 +34,6 @@ const SLABS: [(usize, usize); 2] = [(SLAB, 4), (SLAB / 2, 1)];
 const SHAVING: usize = 3;
 /// A double cut nearer to the plane than this many cells leaves nothing of use between.
 const SLIVER: usize = 2;
-/// Number of cuts that are made with less reason, once there is a clear one.
-const GENEROUS: u32 = 4;
 /// Added to an axis' length in the score, so that short axes do not score without limit.
 const SCORE_LENGTH: f64 = 0.03;
 /// An axis shorter than this share of the longest is not scanned.
@@ -41,15 +41,9 @@ const LEAST_ASPECT: f64 = 0.2;
 /// The longest side of a piece must have this many cells.
 const LEAST_LENGTH: usize = 12;
 /// A change of area to this share is worth a cut even if it saves little.
-const CLEAR: f64 = 0.3;
+const CLEAR: f64 = 0.2;
 /// Any other cut must save this share of the volume of a prism around the piece.
 const LEAST_SAVING: f64 = 0.15;
-/// A cut made with less reason must save this share,
-const SOME_SAVING: f64 = 0.16;
-/// leave this share of the axis on either side, and be single: to cut what is round into a middle and
-/// two sides helps nobody.
-const SOME_MARGIN: f64 = 0.15;
-
 /// How a piece is cut into slabs for a scan.
 #[derive(Clone, Copy)]
 struct Slabs {
@@ -59,15 +53,6 @@ struct Slabs {
     bin: usize,
     /// Whether the slabs are counted from the high end; what is left over at the other is not scanned.
     from_high: bool,
-}
-
-/// What is demanded of a cut between slabs.
-#[derive(Debug, Clone, Copy)]
-enum Demand {
-    /// A clear step.
-    Clear,
-    /// Some change.
-    Some,
 }
 
 /// A box of cells with what is in it, on its way to a part box.
@@ -104,19 +89,14 @@ pub(crate) fn split(occupancy: &mut Occupancy, splits: u32, symmetry: Symmetry) 
     let tight = occupancy.tighten(&whole).unwrap_or(whole);
     let mut splitter = Splitter { occupancy, symmetry };
     let first = Piece { off_plane: [false; 3], domain: whole, tight };
-    let mut pieces = vec![(first, splitter.best_cut(&first, Demand::Clear))];
-    for done in 0..splits {
-        if lowest(&pieces).is_none() && (1..GENEROUS).contains(&done) {
-            // The object has parts, so the first few cuts are used up, if with less reason.
-            for (piece, cut) in &mut pieces {
-                *cut = splitter.best_cut(piece, Demand::Some);
-            }
-        }
+    let mut pieces = vec![(first, splitter.best_cut(&first))];
+    for _ in 0..splits {
         let Some((index, cut)) = lowest(&pieces) else { break };
         let (piece, _) = pieces.remove(index);
         splitter.shave(&piece, cut);
         for child in splitter.cut(&piece, cut) {
-            pieces.push((child, splitter.best_cut(&child, Demand::Clear)));
+            let child = splitter.without_scraps(child);
+            pieces.push((child, splitter.best_cut(&child)));
         }
     }
     let mut pieces: Vec<Piece> = pieces.into_iter().map(|(piece, _)| piece).collect();
@@ -140,7 +120,7 @@ struct Splitter<'a> {
 
 impl Splitter<'_> {
     /// The best cut of a piece that is worth it. Thinner slabs are tried where thicker ones find none.
-    fn best_cut(&self, piece: &Piece, demand: Demand) -> Option<Cut> {
+    fn best_cut(&self, piece: &Piece) -> Option<Cut> {
         let occupancy = &*self.occupancy;
         let longest = piece.tight.longest() as f64;
         let profiles: [Profile; 3] = std::array::from_fn(|axis| {
@@ -153,7 +133,7 @@ impl Splitter<'_> {
                 if piece.tight.extent(axis) as f64 > LEAST_ASPECT * longest {
                     for from_high in [false, true] {
                         let slabs = Slabs { thickness, bin, from_high };
-                        cuts.extend(self.slab_cuts(piece, axis, slabs, profile, demand));
+                        cuts.extend(self.slab_cuts(piece, axis, slabs, profile));
                     }
                 }
             }
@@ -162,19 +142,22 @@ impl Splitter<'_> {
     }
 
     /// The cut with the lowest score once it is weighed by the volume that its pieces' boxes take up, of those
-    /// that leave no scrap. Of equals a double cut is best.
+    /// that leave no scrap and open no walls. Of equals a double cut is best.
     fn best_of(&self, piece: &Piece, cuts: Vec<Cut>) -> Option<Cut> {
         let cuts = cuts.into_iter().filter_map(|cut| {
             let children = self.cut(piece, cut);
             let doubled = self.is_doubled(piece, cut.axis);
-            let kept = children.len() > usize::from(!doubled)
-                && children.iter().all(|child| child.tight.longest() >= LEAST_LENGTH);
+            let kept =
+                children.len() > usize::from(!doubled) && children.iter().all(|child| !self.is_scrap(child));
             let weight = |child: &Piece| if doubled && child.off_plane[cut.axis] { 2.0 } else { 1.0 };
             let volume: f64 = children.iter().map(|c| weight(c) * c.tight.volume() as f64).sum();
             let share = volume / piece.tight.volume() as f64;
             kept.then_some((cut.score * share, !doubled, share, cut))
         });
-        let best = cuts.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.total_cmp(&b.2)));
+        let mut cuts: Vec<_> = cuts.collect();
+        cuts.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.total_cmp(&b.2)));
+        let opens = |cut: Cut| cut.score > 0.0 && opens_walls(self.occupancy, &piece.tight, cut.axis, cut.at);
+        let best = cuts.into_iter().find(|&(.., cut)| !opens(cut));
         best.map(|(score, .., cut)| Cut { score, ..cut })
     }
 
@@ -198,6 +181,32 @@ impl Splitter<'_> {
         [inner, part(true, middle + away, high)].into_iter().flatten().collect()
     }
 
+    /// Whether a piece is too small for a box of its own. Of mirror images apart each counts alone.
+    fn is_scrap(&self, piece: &Piece) -> bool {
+        let mut single = piece.tight;
+        for &axis in self.symmetry.axes().iter().filter(|&&axis| !piece.off_plane[axis]) {
+            let middle = self.occupancy.size()[axis] / 2;
+            let half = self.occupancy.tighten(&single.with(axis, middle, single.high[axis]));
+            single = half.filter(|half| half.low[axis] > middle).unwrap_or(single);
+        }
+        single.longest() < LEAST_LENGTH
+    }
+
+    /// The piece without what stands apart from it and is too small for a box of its own: the tips of wings
+    /// beside a fin. Its surface goes to the box that is nearest.
+    fn without_scraps(&self, piece: Piece) -> Piece {
+        let mut cuts = Vec::new();
+        for axis in 0..3 {
+            let profile = Profile::of(self.occupancy, &piece.tight, axis, self.is_doubled(&piece, axis));
+            self.gap_cuts(&piece, axis, &profile.layers, &mut cuts);
+        }
+        let rest = cuts.into_iter().find_map(|cut| match self.cut(&piece, cut)[..] {
+            [a, b] if self.is_scrap(&a) != self.is_scrap(&b) => Some(if self.is_scrap(&a) { b } else { a }),
+            _ => None,
+        });
+        rest.map_or(piece, |rest| self.without_scraps(rest))
+    }
+
     /// Cuts in the middle of runs of empty layers.
     fn gap_cuts(&self, piece: &Piece, axis: usize, layers: &[u32], cuts: &mut Vec<Cut>) {
         let low = piece.tight.low[axis];
@@ -217,14 +226,13 @@ impl Splitter<'_> {
         }
     }
 
-    /// Cuts between slabs of some thickness, where the area changes as is demanded.
+    /// Cuts between slabs of some thickness, where the area steps clearly.
     fn slab_cuts(
         &self,
         piece: &Piece,
         axis: usize,
         Slabs { thickness, bin, from_high }: Slabs,
         profile: &Profile,
-        demand: Demand,
     ) -> Vec<Cut> {
         let extent = piece.tight.extent(axis);
         let count = extent / thickness;
@@ -237,18 +245,8 @@ impl Splitter<'_> {
         let cut = |i: usize| {
             let at = profile.sharpen(start + (i + 1) * thickness, SLAB);
             let saving = profile.saving(at);
-            let ratio = match demand {
-                Demand::Clear => (-step(&changes, i)?).exp(),
-                Demand::Some => (-changes[i].abs()).exp(),
-            };
-            let worth = match demand {
-                Demand::Clear => ratio <= CLEAR || saving >= LEAST_SAVING,
-                Demand::Some => {
-                    saving >= SOME_SAVING
-                        && profile.margin(at) >= SOME_MARGIN
-                        && !self.is_doubled(piece, axis)
-                }
-            };
+            let ratio = (-step(&changes, i)?).exp();
+            let worth = ratio <= CLEAR || saving >= LEAST_SAVING;
             let at = at + piece.tight.low[axis];
             let score = ratio / (length + SCORE_LENGTH);
             (worth && !self.leaves_sliver(piece, axis, at)).then_some(Cut { axis, at, score })

@@ -11,6 +11,7 @@ import pytest
 
 REFERENCE = Path(__file__).parents[2] / ".." / "shared" / "reference"
 LEVELS = (2, 3, 4)
+CELL = 0.01  # edge of the authors' voxels
 
 if not (REFERENCE / "index.json").is_file():
     pytest.skip("the authors' reference data is not at hand", allow_module_level=True)
@@ -115,18 +116,31 @@ def overlap(a, b):
     return common / (8 * np.prod(a[1]) + 8 * np.prod(b[1]) - common)
 
 
+def whole_cells(center, half):
+    """The half sizes (n, 3) of the authors' boxes, reaching to the ends of the cells that they hold.
+
+    Their boxes end at the centres of the outermost cells, ours at the surface, so half a cell is added on
+    each side. A merged box is tight around vertices, not on the grid, and is left as it is.
+    """
+    cells = (center - half + 1.1) / CELL - 0.5
+    on_grid = (np.abs(cells - np.round(cells)) < 0.01).all(axis=1)
+    return half + CELL / 2 * on_grid[:, None]
+
+
 def test_own_parts_are_near_the_authors_where_their_number_is_the_same():
     best = []
     for name, level in product(SHAPES, LEVELS):
         with np.load(REFERENCE / name) as archive:
             data = {key: archive[key] for key in archive.files}
         graph = boxmorph.BoxDefGraph.build(mesh_of(data), splits=level)
-        theirs = list(zip(data[f"L{level}_box_center"], data[f"L{level}_box_half_size"], strict=True))
+        center, half = data[f"L{level}_box_center"], data[f"L{level}_box_half_size"]
+        theirs = list(zip(center, whole_cells(center, half), strict=True))
         ours = list(zip(graph.box_center, graph.box_half_size, strict=True))
         if len(ours) == len(theirs):
             best += [max(overlap(box, own) for own in ours) for box in theirs]
-    # Not nearer on purpose: a table top ends where it does, not up to a slab below.
-    assert np.median(best) >= 0.7
+    assert len(best) >= 40
+    # Not nearer on purpose: a table top ends where it does, not up to a slab below. See docs/parts.md.
+    assert np.median(best) >= 0.8
 
 
 def test_all_shapes_are_found_symmetric(data):
