@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! `BoxDefGraph`: part boxes, the edges between them, and the field that follows from both (paper §3.1).
 
+use std::sync::Arc;
+
 use glam::{DVec3, Vec3};
 
 use super::assign::assign;
@@ -29,7 +31,7 @@ pub struct BoxDefGraph {
     symmetry_axis: Option<usize>,
     boundary: Boundary,
     frame: Frame,
-    field: DeformField,
+    field: Arc<DeformField>,
 }
 
 impl BoxDefGraph {
@@ -135,7 +137,7 @@ impl BoxDefGraph {
         let propagation =
             Propagation { frame, parts: &parts, rows: &rows, vertices, mirror, boundary, stages };
         let basis = propagation.basis(parameter_rows);
-        let field = DeformField::new(mesh.vertices().to_vec(), parameter_rows, basis);
+        let field = Arc::new(DeformField::new(mesh.vertices().to_vec(), parameter_rows, basis));
         Self { parts, rows, parameter_rows, symmetry_axis, boundary, frame, field }
     }
 }
@@ -247,6 +249,12 @@ impl BoxDefGraph {
     #[must_use]
     pub fn field(&self) -> &DeformField {
         &self.field
+    }
+
+    /// The same, to be held on to: a field may have hundreds of megabytes.
+    #[must_use]
+    pub fn shared_field(&self) -> Arc<DeformField> {
+        self.field.clone()
     }
 
     /// The same field at other `points` in object coordinates: a base mesh under its modifiers, a proxy.
