@@ -6,17 +6,18 @@ use std::sync::Arc;
 use glam::Vec3;
 
 use super::JobSpec;
+use super::proxy::Proxy;
 use crate::boxdef::{BoxDefError, BoxDefGraph, DeformField};
 use crate::report::Report;
 use crate::search::Gauge;
 use crate::spectrum::SliderLimits;
 
-/// A graph with its field on the mesh, and on the extra points where there are any.
+/// A graph with its field on the mesh, on what is scored of it, and on the extra points where there are any.
 #[derive(Debug)]
 pub struct Stage {
     pub splits: Option<u32>,
     pub graph: Arc<BoxDefGraph>,
-    pub field: Arc<DeformField>,
+    pub scored: Arc<DeformField>,
     pub points_field: Option<DeformField>,
 }
 
@@ -25,11 +26,12 @@ impl Stage {
     pub fn new(
         splits: Option<u32>,
         graph: Arc<BoxDefGraph>,
+        proxy: &Proxy<'_>,
         points: Option<&[Vec3]>,
     ) -> Result<Self, BoxDefError> {
-        let field = Arc::new(graph.field().clone());
+        let scored = proxy.field(graph.shared_field());
         let points_field = points.map(|points| graph.field_at(points)).transpose()?;
-        Ok(Self { splits, graph, field, points_field })
+        Ok(Self { splits, graph, scored, points_field })
     }
 
     /// Scale factors that change nothing.
@@ -55,7 +57,7 @@ impl Best {
 
     /// The gauge and the mesh's positions under it.
     pub fn gauged(&self, spec: &JobSpec) -> (Gauge, Vec<Vec3>) {
-        let mut vertices = self.stage.field.deform(&self.scales);
+        let mut vertices = self.stage.graph.field().deform(&self.scales);
         let gauge = Gauge::new(spec.mesh.vertices(), &vertices, spec.kept_size(), spec.keep_place);
         gauge.apply(&mut vertices);
         (gauge, vertices)

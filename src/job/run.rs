@@ -7,6 +7,7 @@ use glam::Vec3;
 
 use super::outcome::{Best, Outcome, Stage};
 use super::progress::Harness;
+use super::proxy::Proxy;
 use super::soundness::Soundness;
 use super::{JobError, JobSpec};
 use crate::boxdef::BoxDefGraph;
@@ -62,7 +63,8 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
     let target = Target::new(&spec.guide, &spec.prompt)?;
     let views = render::views_by_name("paper")?;
     harness.update(|p| p.phase = "Finding the parts".into());
-    let stages = stages(spec, harness)?;
+    let proxy = Proxy::of(&spec.mesh);
+    let stages = stages(spec, &proxy, harness)?;
     let searches = stages.len() + spec.preset.restarts;
     harness.update(|p| p.generations = searches * spec.preset.max_generations);
     let mut run = Run {
@@ -70,7 +72,8 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
         harness,
         target: &target,
         views: &views,
-        soundness: Soundness::new(&spec.mesh, spec.preset.max_crossing),
+        proxy: &proxy,
+        soundness: Soundness::new(proxy.mesh(), spec.preset.max_crossing),
         searches: 0,
         spent: Spent::default(),
         winner: None,
@@ -94,9 +97,9 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
 
 /// The graphs to search. A split count that gives the boxes of an earlier one shares its graph: the boxes are
 /// then searched again, from another seed.
-fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError> {
+fn stages(spec: &JobSpec, proxy: &Proxy<'_>, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError> {
     if let Some(graph) = &spec.graph {
-        return Ok(vec![Arc::new(Stage::new(None, graph.clone(), spec.points.as_deref())?)]);
+        return Ok(vec![Arc::new(Stage::new(None, graph.clone(), proxy, spec.points.as_deref())?)]);
     }
     let counts = spec.splits.map_or_else(|| spec.preset.splits.to_vec(), |splits| vec![splits]);
     let boundary = spec.boundary.unwrap_or(spec.preset.boundary);
@@ -111,7 +114,7 @@ fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError
             stages.push(same.clone());
             continue;
         }
-        stages.push(Arc::new(Stage::new(Some(splits), graph, spec.points.as_deref())?));
+        stages.push(Arc::new(Stage::new(Some(splits), graph, proxy, spec.points.as_deref())?));
     }
     Ok(stages)
 }
@@ -122,6 +125,8 @@ struct Run<'a> {
     harness: &'a Harness,
     target: &'a Target,
     views: &'a [View],
+    /// What is scored of the mesh.
+    proxy: &'a Proxy<'a>,
     soundness: Soundness<'a>,
     /// Searches done.
     searches: usize,
@@ -134,7 +139,7 @@ impl Run<'_> {
     fn start_of(&self, stage: &Stage) -> Vec<Vec3> {
         match &self.winner {
             Some(w) if self.spec.preset.inherit => {
-                search::inherit(&stage.graph, &w.best.stage.field.deform(&w.best.scales))
+                search::inherit(&stage.graph, &w.best.stage.graph.field().deform(&w.best.scales))
             }
             _ => stage.unchanged(),
         }
@@ -144,8 +149,8 @@ impl Run<'_> {
     fn search(&mut self, stage: &Arc<Stage>, start: &Start) -> Result<(), JobError> {
         let (spec, harness) = (self.spec, self.harness);
         let mut objective = Objective::new(
-            &spec.mesh,
-            stage.field.clone(),
+            self.proxy.mesh(),
+            stage.scored.clone(),
             &spec.guide,
             self.target,
             spec.backend,
@@ -200,7 +205,7 @@ impl Run<'_> {
         self.searches += 1;
         self.spent.images += objective.images_encoded();
         self.spent.renderer = objective.backend_name();
-        let sound = self.soundness.holds(&stage.field.deform(&scales));
+        let sound = self.soundness.holds(&stage.scored.deform(&scales));
         let best = Best { score: after.score, scales, stage: stage.clone() };
         let finalist = Finalist { best, before, after, improved, sound, stop: found.stop };
         if self.winner.as_ref().is_none_or(|winner| finalist.beats(winner)) {
@@ -211,7 +216,7 @@ impl Run<'_> {
 
     /// The winner under its gauge, with its record.
     fn outcome(self) -> Result<Outcome, JobError> {
-        let Self { spec, harness, spent, winner, .. } = self;
+        let Self { spec, harness, proxy, spent, winner, .. } = self;
         let Finalist { best, before, after, stop, .. } = winner.ok_or(JobError::NotFinished)?;
         let (gauge, vertices) = best.gauged(spec);
         let points = best.points(gauge);
@@ -234,6 +239,7 @@ impl Run<'_> {
             renderer: spent.renderer,
             vertices: spec.mesh.vertices().len(),
             triangles: spec.mesh.triangles().len(),
+            scored_triangles: proxy.mesh().triangles().len(),
             boxes: graph.box_center().len(),
             parameter_rows: graph.parameter_rows(),
             score_before: before.score,
