@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
+"""Time and memory from a thousand vertices to a million, and how they grow from row to row.
+
+Each size is measured in a process of its own, whose peak memory includes Python, numpy and the mesh's arrays.
+"""
+
+import json
+import math
+import subprocess
+import sys
+import time
+
+import boxmorph
+import shapes
+
+SIZES = (1_000, 10_000, 100_000, 300_000, 1_000_000)
+
+#: What is measured: name, shape and whether a whole job is run.
+SUBJECTS = (
+    ("graph and field, chair", "grid_chair", False),
+    ("graph and field, lamp", "lamp", False),
+    ("whole job, chair", "grid_chair", True),
+)
+
+
+def measure(shape, size, whole, rounds):
+    """Vertices, triangles, least seconds and peak bytes, of this process."""
+    import resource
+
+    vertices, triangles = getattr(shapes, shape)(size)
+    mesh = boxmorph.Mesh(vertices, triangles)
+    times = []
+    for _ in range(1 if whole else rounds):
+        start = time.perf_counter()
+        if whole:
+            job = boxmorph.Job(mesh, "a bar stool", renderer="cpu")
+            job.start()
+            job.join()
+        else:
+            boxmorph.BoxDefGraph.build(mesh, splits=4)
+        times.append(time.perf_counter() - start)
+    # Kilobytes, but bytes on macOS.
+    unit = 1 if sys.platform == "darwin" else 1024
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit
+    return len(vertices), len(triangles), min(times), peak
+
+
+def table(rounds):
+    """The table as lines of Markdown; none on Windows, which does not tell the peak."""
+    if sys.platform == "win32":
+        return []
+    lines = [
+        "| what | vertices | triangles | time | peak memory | time grows as n to the |",
+        "|---|---|---|---|---|---|",
+    ]
+    for name, shape, whole in SUBJECTS:
+        before = None
+        for size in SIZES:
+            command = [sys.executable, __file__, shape, str(size), str(int(whole)), str(rounds)]
+            done = subprocess.run(command, capture_output=True, text=True, check=True)
+            vertices, triangles, seconds, peak = json.loads(done.stdout)
+            power = ""
+            if before:
+                power = f"{math.log(seconds / before[1]) / math.log(vertices / before[0]):.2f}"
+            before = vertices, seconds
+            figures = f"{vertices:,} | {triangles:,} | {seconds:.2f} s | {peak / 1e6:.0f} MB | {power}"
+            lines.append(f"| {name} | {figures} |")
+    return lines
+
+
+if __name__ == "__main__":
+    print(json.dumps(measure(sys.argv[1], int(sys.argv[2]), sys.argv[3] == "1", int(sys.argv[4]))))
