@@ -9,6 +9,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
+use glam::Vec3;
 use meshopt::SimplifyOptions;
 
 use crate::boxdef::DeformField;
@@ -54,7 +55,7 @@ impl<'a> Proxy<'a> {
 
     /// None where what is left is no mesh.
     fn simplified(mesh: &Mesh) -> Option<Self> {
-        let positions: Vec<[f32; 3]> = mesh.vertices().iter().map(|v| v.to_array()).collect();
+        let positions: Vec<[f32; 3]> = mesh.vertices().iter().map(Vec3::to_array).collect();
         let corners = mesh.triangles().as_flattened();
         // Permissive: seams between vertices in one place, of UVs or of flat faces, do not hold it up.
         let options = SimplifyOptions::Permissive;
@@ -76,8 +77,6 @@ impl<'a> Proxy<'a> {
 #[cfg(test)]
 mod tests {
     use std::f32::consts::TAU;
-
-    use glam::Vec3;
 
     use super::*;
     use crate::boxdef::{Boundary, BoxDefGraph, Symmetry};
