@@ -6,6 +6,7 @@ Each size is measured in a process of its own, whose peak memory includes Python
 
 import json
 import math
+import os
 import subprocess
 import sys
 import time
@@ -25,8 +26,6 @@ SUBJECTS = (
 
 def measure(shape, size, whole, rounds):
     """Vertices, triangles, least seconds by the clock and of all cores together, and peak bytes."""
-    import resource
-
     vertices, triangles = getattr(shapes, shape)(size)
     mesh = boxmorph.Mesh(vertices, triangles)
     times, busy = [], []
@@ -40,10 +39,18 @@ def measure(shape, size, whole, rounds):
             boxmorph.BoxDefGraph.build(mesh, splits=4)
         times.append(time.perf_counter() - start)
         busy.append(time.process_time() - busy_before)
-    # Kilobytes, but bytes on macOS.
-    unit = 1 if sys.platform == "darwin" else 1024
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit
-    return len(vertices), len(triangles), min(times), min(busy), peak
+    return len(vertices), len(triangles), min(times), min(busy), peak_memory()
+
+
+def peak_memory():
+    """Most bytes that this process has held."""
+    if os.path.exists("/proc/self/status"):
+        # `ru_maxrss` would count what the parent held when it started this process.
+        with open("/proc/self/status", encoding="ascii") as status:
+            return 1024 * next(int(line.split()[1]) for line in status if line.startswith("VmHWM"))
+    import resource
+
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
 
 def table(rounds):
