@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""Measures the stages of a search in one run, each beside a limit or a peer, and prints a table of ratios.
+"""Measures the stages of a search in one run, each beside a limit or a peer, and how time and memory
+grow with the mesh; prints both tables.
 
 Usage: python benches/bench.py [--rounds N] [--markdown FILE]
 """
@@ -10,28 +11,9 @@ import platform
 import time
 
 import boxmorph
+import growth
 import numpy as np
-
-
-def grid_chair(vertices_wanted):
-    """A chair of six islands with about that many vertices, z up: vertices (n, 3), triangles (m, 3)."""
-    legs = [((x - 0.03, y - 0.03, 0), (x + 0.03, y + 0.03, 0.45)) for x in (-0.2, 0.2) for y in (-0.2, 0.2)]
-    boxes = [*legs, ((-0.24, -0.24, 0.44), (0.24, 0.24, 0.5)), ((-0.23, 0.19, 0.49), (0.23, 0.23, 1.0))]
-    side = max(2, round((vertices_wanted / (6 * len(boxes))) ** 0.5))
-    u, v = (c.ravel() for c in np.meshgrid(np.linspace(0, 1, side), np.linspace(0, 1, side)))
-    cell = (np.arange(side - 1)[:, None] * side + np.arange(side - 1)).ravel()
-    quad = np.stack([cell, cell + 1, cell + side + 1, cell + side], 1)
-    face = np.concatenate([quad[:, [0, 1, 2]], quad[:, [0, 2, 3]]])
-    vertices, triangles = [], []
-    for low, high in boxes:
-        for axis in range(3):
-            for end in (0.0, 1.0):
-                unit = np.insert(np.stack([u, v], 1), axis, end, axis=1)
-                triangles.append(face + sum(map(len, vertices)))
-                vertices.append(np.array(low) + unit * (np.array(high) - np.array(low)))
-    return np.concatenate(vertices).astype(np.float32), np.ascontiguousarray(
-        np.concatenate(triangles), np.int32
-    )
+from shapes import grid_chair
 
 
 def best_of(rounds, work):
@@ -117,10 +99,10 @@ def measure(rounds):
 
 
 def main():
-    """Prints the table, and writes it as Markdown where asked to."""
+    """Prints the tables, and writes them as Markdown where asked to."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--rounds", type=int, default=5)
-    parser.add_argument("--markdown", help="write the table to this file as well")
+    parser.add_argument("--markdown", help="write the tables to this file as well")
     arguments = parser.parse_args()
     rows = measure(arguments.rounds)
     machine = (
@@ -128,6 +110,7 @@ def main():
     )
     lines = [f"Machine: {machine}", "", "| stage | figure | beside | ratio |", "|---|---|---|---|"]
     lines += ["| " + " | ".join(row) + " |" for row in rows]
+    lines += ["", *growth.table(min(3, arguments.rounds))]
     print("\n".join(lines))
     if arguments.markdown:
         with open(arguments.markdown, "w", encoding="utf-8") as file:

@@ -39,10 +39,12 @@ pub struct Report {
     pub boundary: String,
     /// The renderer.
     pub renderer: String,
-    /// Vertices of the mesh that was scored.
+    /// Vertices of the mesh.
     pub vertices: usize,
-    /// Triangles of the mesh that was scored.
+    /// Triangles of the mesh.
     pub triangles: usize,
+    /// Triangles of what was scored of it: fewer, where a light proxy stood in for a dense mesh.
+    pub scored_triangles: usize,
     /// Part boxes.
     pub boxes: usize,
     /// Rows of `scales`.
@@ -51,7 +53,7 @@ pub struct Report {
     pub score_before: f64,
     /// Score of the outcome, by all images.
     pub score_after: f64,
-    /// Mean of 1 − cos between vertex normals before and after.
+    /// Mean of 1 − cos between vertex normals before and after, of what was scored.
     pub normal_error: f64,
     /// Generations, over all split counts.
     pub generations: usize,

@@ -20,8 +20,8 @@ use std::str::FromStr;
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::crowd::Crowd;
 use super::error::BoxDefError;
-use super::nearest::Nearest;
 
 /// How parts follow each other where they meet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -90,16 +90,13 @@ pub(crate) fn pulls(
     for (vertex, &owner) in assignment.iter().enumerate() {
         owned[owner as usize].push(vertex as u32);
     }
-    let trees: Vec<Option<Leader>> = owned.par_iter().map(|ids| Leader::of(vertices, ids)).collect();
+    let crowds: Vec<Option<Crowd>> = owned.into_par_iter().map(|ids| Crowd::of(vertices, ids)).collect();
     let between = |leader: i32, follower: i32| -> Vec<Pull> {
-        let Some(tree) = &trees[leader as usize] else { return Vec::new() };
-        owned[follower as usize]
-            .par_iter()
-            .map(|&vertex| {
-                let (nearest, distance) = tree.nearest(vertices[vertex as usize]);
-                (vertex, nearest, boundary.weight(distance) as f32)
-            })
-            .collect()
+        let (Some(leader), Some(follower)) = (&crowds[leader as usize], &crowds[follower as usize]) else {
+            return Vec::new();
+        };
+        let pull = |(vertex, nearest, distance)| (vertex, nearest, boundary.weight(distance) as f32);
+        follower.nearest_of(leader, vertices).into_iter().map(pull).collect()
     };
     let at_once = |stage: &Vec<[i32; 2]>| {
         let mut pulls: Vec<Pull> =
@@ -138,37 +135,5 @@ pub(crate) fn pull(
     }));
     for (&(follower, ..), change) in stage.iter().zip(moved.iter()) {
         values[follower as usize] += change;
-    }
-}
-
-/// A box with more vertices than this is thinned for followers that are not near.
-const MANY: usize = 4_000;
-/// Edge of the cubes that keep one vertex each.
-const THINNED: f64 = 0.01;
-/// Nearer than this, all vertices count.
-const NEAR: f64 = 0.05;
-
-/// The vertices of a box, to be followed.
-///
-/// From afar one vertex of a neighbourhood is as good as another: their displacements are nearly the same,
-/// and so are the weights. But to find the very nearest of a million that are all about equally far, as
-/// those of a tube are from its axis, takes a long time.
-struct Leader {
-    all: Nearest,
-    thinned: Option<Nearest>,
-}
-
-impl Leader {
-    fn of(vertices: &[DVec3], ids: &[u32]) -> Option<Self> {
-        let tree = |ids: &[u32]| Nearest::new(vertices, ids.iter().copied());
-        let thinned = (ids.len() > MANY).then(|| tree(&Nearest::thin(vertices, ids, THINNED)));
-        (!ids.is_empty()).then(|| Self { all: tree(ids), thinned })
-    }
-
-    fn nearest(&self, vertex: DVec3) -> (u32, f64) {
-        match self.thinned.as_ref().map(|tree| tree.one(vertex)) {
-            Some(found) if found.1 > NEAR => found,
-            _ => self.all.one(vertex),
-        }
     }
 }

@@ -2,6 +2,10 @@
 //! The deformation field: a deformation as one small matrix product.
 
 use glam::Vec3;
+use rayon::prelude::*;
+
+/// Vertices that are deformed at a time.
+const PIECE: usize = 16_384;
 
 /// The linear map from factors to vertex positions.
 ///
@@ -79,20 +83,37 @@ impl DeformField {
     /// If a length differs.
     pub fn deform_into(&self, factors: &[Vec3], out: &mut [Vec3]) {
         assert_eq!(factors.len(), self.parameter_rows(), "one row of factors per parameter row");
-        out.copy_from_slice(&self.rest);
+        assert_eq!(out.len(), self.rest.len(), "one position per vertex");
         let n = self.rest.len();
-        for axis in 0..3 {
-            for (row, factor) in factors.iter().enumerate() {
-                let change = factor[axis] - 1.0;
-                if change == 0.0 {
-                    continue;
-                }
-                let start = (axis * factors.len() + row) * n;
-                for (position, b) in out.iter_mut().zip(&self.basis[start..start + n]) {
-                    position[axis] += change * b;
+        // Piece by piece, so that positions stay in the cache while the rows pass.
+        out.par_chunks_mut(PIECE).enumerate().for_each(|(piece, out)| {
+            let first = piece * PIECE;
+            out.copy_from_slice(&self.rest[first..first + out.len()]);
+            for axis in 0..3 {
+                for (row, factor) in factors.iter().enumerate() {
+                    let change = factor[axis] - 1.0;
+                    if change == 0.0 {
+                        continue;
+                    }
+                    let start = (axis * factors.len() + row) * n + first;
+                    for (position, b) in out.iter_mut().zip(&self.basis[start..]) {
+                        position[axis] += change * b;
+                    }
                 }
             }
-        }
+        });
+    }
+
+    /// The field of some of the vertices, in the order in which they are named.
+    ///
+    /// # Panics
+    /// If a vertex is not there.
+    #[must_use]
+    pub fn select(&self, vertices: &[u32]) -> Self {
+        let rest = vertices.iter().map(|&v| self.rest[v as usize]).collect();
+        let planes = self.basis.chunks_exact(self.rest.len().max(1));
+        let basis = planes.flat_map(|plane| vertices.iter().map(|&v| plane[v as usize])).collect();
+        Self { rest, basis, ..*self }
     }
 
     /// The positions for `factors`, as a new vector.

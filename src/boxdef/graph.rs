@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! `BoxDefGraph`: part boxes, the edges between them, and the field that follows from both (paper §3.1).
 
+use std::sync::Arc;
+
 use glam::{DVec3, Vec3};
 
 use super::assign::assign;
@@ -27,7 +29,7 @@ use crate::mesh::Mesh;
 pub struct BoxDefGraph {
     layout: Layout,
     rows: Vec<usize>,
-    field: DeformField,
+    field: Arc<DeformField>,
 }
 
 impl BoxDefGraph {
@@ -126,7 +128,7 @@ impl BoxDefGraph {
     fn assemble(mesh: &Mesh, layout: Layout, vertices: &[DVec3], mirrors: &[MirrorMap]) -> Self {
         let rows: Vec<usize> = layout.parts.box_row.iter().map(|&row| row as usize).collect();
         let basis = Propagation { layout: &layout, vertices, mirrors }.basis(&[Motion::Scale]);
-        let field = DeformField::new(mesh.vertices().to_vec(), layout.parameter_rows(), basis);
+        let field = Arc::new(DeformField::new(mesh.vertices().to_vec(), layout.parameter_rows(), basis));
         Self { layout, rows, field }
     }
 }
@@ -236,6 +238,12 @@ impl BoxDefGraph {
     #[must_use]
     pub fn field(&self) -> &DeformField {
         &self.field
+    }
+
+    /// The same, to be held on to: a field may have hundreds of megabytes.
+    #[must_use]
+    pub fn shared_field(&self) -> Arc<DeformField> {
+        self.field.clone()
     }
 
     /// The field with P rows for shifts after those for scale factors: the positions also follow shifts of the

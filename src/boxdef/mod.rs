@@ -5,6 +5,7 @@ mod assign;
 mod boundary;
 mod boxes;
 mod connect;
+mod crowd;
 mod error;
 mod field;
 mod frame;

@@ -62,8 +62,13 @@ impl Propagation<'_> {
                 *value = ((scaled + translations[owner(v)][row][axis]) * frame.unit) as f32;
             }
             let change = |from: usize, to: usize| {
+                let slopes = if extends { slope(from) + slope(to) } else { 0.0 };
+                // Most rows are those of other boxes.
+                if slopes == 0.0 {
+                    return 0.0;
+                }
                 let way = (self.vertices[to][axis] - self.vertices[from][axis]) * frame.unit;
-                if extends { (0.5 * (slope(from) + slope(to)) * way) as f32 } else { 0.0 }
+                (0.5 * slopes * way) as f32
             };
             let mut moved = Vec::new();
             for _ in 0..rounds {

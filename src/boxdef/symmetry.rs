@@ -7,7 +7,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::error::BoxDefError;
-use super::nearest::Nearest;
+use super::nearest::Close;
 use super::occupancy::Occupancy;
 
 /// The axes to mirror about.
@@ -121,11 +121,8 @@ const SAME_PLACE: f64 = 1e-5;
 impl MirrorMap {
     /// About the plane through the frame's origin.
     pub(crate) fn of(vertices: &[DVec3], axis: usize) -> Self {
-        let tree = Nearest::new(vertices, 0..vertices.len() as u32);
-        let candidate = |point: DVec3| {
-            let (found, distance) = tree.one(mirrored(point, &[axis]));
-            (distance <= SAME_PLACE).then_some(found)
-        };
+        let close = Close::new(vertices, SAME_PLACE);
+        let candidate = |point: DVec3| close.one(mirrored(point, &[axis]));
         let first: Vec<Option<u32>> = vertices.par_iter().map(|&v| candidate(v)).collect();
         let image = first
             .iter()

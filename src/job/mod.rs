@@ -4,6 +4,7 @@
 mod error;
 mod outcome;
 mod progress;
+mod proxy;
 mod run;
 mod soundness;
 

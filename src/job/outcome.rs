@@ -6,27 +6,34 @@ use std::sync::Arc;
 use glam::Vec3;
 
 use super::JobSpec;
+use super::proxy::Proxy;
 use crate::boxdef::{BoxDefError, BoxDefGraph, DeformField};
 use crate::report::Report;
 use crate::search::Gauge;
 use crate::spectrum::SliderLimits;
 
-/// A graph with its field on the mesh, and on the extra points where there are any.
+/// A graph with its field on the mesh, on what is scored of it, and on the extra points where there are any.
 #[derive(Debug)]
 pub struct Stage {
     pub splits: Option<u32>,
     pub graph: Arc<BoxDefGraph>,
-    pub field: Arc<DeformField>,
+    pub whole: Arc<DeformField>,
+    pub scored: Arc<DeformField>,
     pub points_field: Option<DeformField>,
 }
 
 impl Stage {
     /// Computes the fields that the job asks for.
-    pub fn new(splits: Option<u32>, graph: Arc<BoxDefGraph>, spec: &JobSpec) -> Result<Self, BoxDefError> {
-        let field = if spec.shift_parts { graph.field_with_shifts() } else { graph.field().clone() };
-        let field = Arc::new(field);
-        let points_field = spec.points.as_ref().map(|points| graph.field_at(&field, points)).transpose()?;
-        Ok(Self { splits, graph, field, points_field })
+    pub fn new(
+        splits: Option<u32>,
+        graph: Arc<BoxDefGraph>,
+        proxy: &Proxy<'_>,
+        spec: &JobSpec,
+    ) -> Result<Self, BoxDefError> {
+        let whole = if spec.shift_parts { Arc::new(graph.field_with_shifts()) } else { graph.shared_field() };
+        let scored = proxy.field(whole.clone());
+        let points_field = spec.points.as_ref().map(|points| graph.field_at(&whole, points)).transpose()?;
+        Ok(Self { splits, graph, whole, scored, points_field })
     }
 }
 
@@ -47,19 +54,19 @@ impl Best {
 
     /// Scale factors, a row a parameter row.
     pub fn scales(&self) -> &[Vec3] {
-        &self.factors[..self.stage.field.scale_rows()]
+        &self.factors[..self.stage.whole.scale_rows()]
     }
 
     /// Shifts in object units, a row a parameter row; none where parts may not be shifted.
     pub fn shifts(&self) -> Option<Vec<Vec3>> {
-        let shifts = &self.factors[self.stage.field.scale_rows()..];
+        let shifts = &self.factors[self.stage.whole.scale_rows()..];
         let reach = self.stage.graph.reach();
         (!shifts.is_empty()).then(|| shifts.iter().map(|&factor| (factor - 1.0) * reach).collect())
     }
 
     /// The gauge and the mesh's positions under it.
     pub fn gauged(&self, spec: &JobSpec) -> (Gauge, Vec<Vec3>) {
-        let mut vertices = self.stage.field.deform(&self.factors);
+        let mut vertices = self.stage.whole.deform(&self.factors);
         let gauge = Gauge::new(spec.mesh.vertices(), &vertices, spec.kept_size(), spec.keep_place);
         gauge.apply(&mut vertices);
         (gauge, vertices)

@@ -7,6 +7,7 @@ use glam::Vec3;
 
 use super::outcome::{Best, Outcome, Stage};
 use super::progress::Harness;
+use super::proxy::Proxy;
 use super::soundness::Soundness;
 use super::{JobError, JobSpec};
 use crate::boxdef::BoxDefGraph;
@@ -62,7 +63,8 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
     let target = Target::new(&spec.guide, &spec.prompt)?;
     let views = render::views_by_name("paper")?;
     harness.update(|p| p.phase = "Finding the parts".into());
-    let stages = stages(spec, harness)?;
+    let proxy = Proxy::of(&spec.mesh);
+    let stages = stages(spec, &proxy, harness)?;
     let searches = stages.len() + spec.preset.restarts;
     harness.update(|p| p.generations = searches * spec.preset.max_generations);
     let mut run = Run {
@@ -70,7 +72,8 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
         harness,
         target: &target,
         views: &views,
-        soundness: Soundness::new(&spec.mesh, spec.preset.max_crossing),
+        proxy: &proxy,
+        soundness: Soundness::new(proxy.mesh(), spec.preset.max_crossing),
         searches: 0,
         spent: Spent::default(),
         winner: None,
@@ -86,7 +89,7 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
                 break;
             }
             let seed = spec.seed.wrapping_sub(restart as u64 * AGAIN);
-            run.search(stage, &Start { factors: stage.field.unchanged(), sigma: WIDE, seed })?;
+            run.search(stage, &Start { factors: stage.whole.unchanged(), sigma: WIDE, seed })?;
         }
     }
     run.outcome()
@@ -94,9 +97,9 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
 
 /// The graphs to search. A split count that gives the boxes of an earlier one shares its graph: the boxes are
 /// then searched again, from another seed.
-fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError> {
+fn stages(spec: &JobSpec, proxy: &Proxy<'_>, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError> {
     if let Some(graph) = &spec.graph {
-        return Ok(vec![Arc::new(Stage::new(None, graph.clone(), spec)?)]);
+        return Ok(vec![Arc::new(Stage::new(None, graph.clone(), proxy, spec)?)]);
     }
     let counts = spec.splits.map_or_else(|| spec.preset.splits.to_vec(), |splits| vec![splits]);
     let symmetry = spec.symmetry.unwrap_or(spec.preset.symmetry);
@@ -112,7 +115,7 @@ fn stages(spec: &JobSpec, harness: &Harness) -> Result<Vec<Arc<Stage>>, JobError
             stages.push(same.clone());
             continue;
         }
-        stages.push(Arc::new(Stage::new(Some(splits), graph, spec)?));
+        stages.push(Arc::new(Stage::new(Some(splits), graph, proxy, spec)?));
     }
     Ok(stages)
 }
@@ -123,6 +126,8 @@ struct Run<'a> {
     harness: &'a Harness,
     target: &'a Target,
     views: &'a [View],
+    /// What is scored of the mesh.
+    proxy: &'a Proxy<'a>,
     soundness: Soundness<'a>,
     /// Searches done.
     searches: usize,
@@ -133,9 +138,9 @@ struct Run<'a> {
 impl Run<'_> {
     /// Where the first search of a stage starts: at the best so far, if the preset has it so.
     fn start_of(&self, stage: &Stage) -> Vec<Vec3> {
-        let mut factors = stage.field.unchanged();
+        let mut factors = stage.whole.unchanged();
         if let (Some(w), true) = (&self.winner, self.spec.preset.inherit) {
-            let scales = search::inherit(&stage.graph, &w.best.stage.field.deform(&w.best.factors));
+            let scales = search::inherit(&stage.graph, &w.best.stage.whole.deform(&w.best.factors));
             factors[..scales.len()].copy_from_slice(&scales);
         }
         factors
@@ -145,15 +150,15 @@ impl Run<'_> {
     fn search(&mut self, stage: &Arc<Stage>, start: &Start) -> Result<(), JobError> {
         let (spec, harness) = (self.spec, self.harness);
         let mut objective = Objective::new(
-            &spec.mesh,
-            stage.field.clone(),
+            self.proxy.mesh(),
+            stage.scored.clone(),
             &spec.guide,
             self.target,
             spec.backend,
             self.views,
             &spec.preset,
         )?;
-        let before = objective.evaluate(&[stage.field.unchanged()], ImagePlan::All)?[0];
+        let before = objective.evaluate(&[stage.whole.unchanged()], ImagePlan::All)?[0];
         self.spent.evaluations += 1;
         harness.update(|p| {
             p.phase = format!("Searching with {} part boxes", stage.graph.box_center().len());
@@ -168,7 +173,7 @@ impl Run<'_> {
         if spec.shift_parts {
             space = space.with_shifts(&graph.shift_room(), graph.reach());
         }
-        let footing = spec.preset.footing.then(|| Footing::of(graph, &stage.field, &space)).flatten();
+        let footing = spec.preset.footing.then(|| Footing::of(graph, &stage.whole, &space)).flatten();
         let found =
             search::search(&mut objective, &space, footing.as_ref(), &spec.preset, start, |generation| {
                 let done = generations_before + generation.number;
@@ -192,7 +197,7 @@ impl Run<'_> {
             let asked = after.shortfall < before.shortfall && after.worth() >= before.worth();
             asked || after.score > before.score
         };
-        let (mut after, mut factors, mut improved) = (before, stage.field.unchanged(), false);
+        let (mut after, mut factors, mut improved) = (before, stage.whole.unchanged(), false);
         // Where what the loss likes best is no more like the prompt, the candidate that is most like it.
         for candidate in [found.factors, found.highest] {
             let judged = objective.evaluate(std::slice::from_ref(&candidate), ImagePlan::All)?[0];
@@ -205,7 +210,7 @@ impl Run<'_> {
         self.searches += 1;
         self.spent.images += objective.images_encoded();
         self.spent.renderer = objective.backend_name();
-        let sound = self.soundness.holds(&stage.field.deform(&factors));
+        let sound = self.soundness.holds(&stage.scored.deform(&factors));
         let best = Best { score: after.score, factors, stage: stage.clone() };
         let finalist = Finalist { best, before, after, improved, sound, stop: found.stop };
         if self.winner.as_ref().is_none_or(|winner| finalist.beats(winner)) {
@@ -216,7 +221,7 @@ impl Run<'_> {
 
     /// The winner under its gauge, with its record.
     fn outcome(self) -> Result<Outcome, JobError> {
-        let Self { spec, harness, spent, winner, .. } = self;
+        let Self { spec, harness, proxy, spent, winner, .. } = self;
         let Finalist { best, before, after, stop, .. } = winner.ok_or(JobError::NotFinished)?;
         let (gauge, vertices) = best.gauged(spec);
         let points = best.points(gauge);
@@ -240,6 +245,7 @@ impl Run<'_> {
             renderer: spent.renderer,
             vertices: spec.mesh.vertices().len(),
             triangles: spec.mesh.triangles().len(),
+            scored_triangles: proxy.mesh().triangles().len(),
             boxes: graph.box_center().len(),
             parameter_rows: graph.parameter_rows(),
             score_before: before.score,

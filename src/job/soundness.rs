@@ -8,10 +8,11 @@ use glam::Vec3;
 use crate::mesh::Mesh;
 use crate::metrics::self_intersection_ratio;
 
-/// Triangles up to which it is asked; on very large meshes it would take longer than the search.
+/// Triangles up to which it is asked; of more, where no light proxy could be made, it would take longer than the
+/// search.
 const MEASURED: usize = 200_000;
 
-/// What outcomes of a mesh are held to.
+/// What outcomes of a mesh, or of the proxy that is scored, are held to.
 pub struct Soundness<'a> {
     mesh: &'a Mesh,
     /// Share of the triangles that may cross others, over those of the mesh; `None` asks nothing.

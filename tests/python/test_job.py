@@ -79,6 +79,27 @@ def test_the_record_holds_all_it_takes_to_do_it_again(guide, stool):
     assert np.allclose(report["scales"], stool.scales)
 
 
+def test_a_dense_mesh_is_scored_by_a_light_proxy_and_moved_whole(guide):
+    side = 230
+    u, v = (c.ravel() for c in np.meshgrid(np.linspace(0, 1, side), np.linspace(0, 1, side)))
+    turn, foot = 2 * np.pi * u, np.where(v < 0.3, 0.5, 0.05)
+    vertices = np.stack([foot * np.cos(turn), foot * np.sin(turn), 1.5 * v], 1).astype(np.float32)
+    cell = (np.arange(side - 1)[:, None] * side + np.arange(side - 1)).ravel()
+    quads = np.stack([cell, cell + 1, cell + side + 1, cell + side], 1)
+    triangles = np.ascontiguousarray(np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]), np.int32)
+    job = boxmorph.Job(boxmorph.Mesh(vertices, triangles), "a lamp", guide=guide, splits=2)
+    job.start()
+    job.join()
+    outcome = job.result()
+    report = outcome.report()
+    assert (report["vertices"], report["triangles"]) == (len(vertices), len(triangles))
+    assert 1000 < report["scored_triangles"] <= 20_000
+    deformed = report["gauge_scale"] * outcome.graph.deform(outcome.scales)
+    np.testing.assert_allclose(outcome.vertices, deformed + np.float32(report["gauge_shift"]), atol=1e-5)
+    np.testing.assert_array_equal(job.best()[1], outcome.vertices)
+    assert outcome.vertices[:, 2].min() == pytest.approx(0, abs=1e-5)
+
+
 def test_points_are_moved_by_the_same_field(chair, guide):
     outcome = run(chair, "a sofa", guide, splits=2, points=chair[0][::3].copy())
     np.testing.assert_allclose(outcome.points, outcome.vertices[::3], atol=1e-5)
