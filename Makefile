@@ -14,6 +14,7 @@ help: ## list the targets
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
 
 tools:
+	@command -v c++ >/dev/null || { echo "Boxmorph needs a C++ compiler: install g++ or clang." >&2; exit 1; }
 	@command -v $(PYTHON) >/dev/null || { echo "Boxmorph needs Python 3.11: install it, or name it with PYTHON=..." >&2; exit 1; }
 	@command -v cargo >/dev/null || { echo "Boxmorph needs Rust 1.92 or later: install cargo (https://rustup.rs)." >&2; exit 1; }
 

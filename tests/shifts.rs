@@ -110,13 +110,34 @@ fn parts_have_room_on_what_they_hang_on_and_nowhere_else() {
         let (least, most) = leg[axis];
         assert!(least < 0.0 && most > 0.0 && most - least < half[axis], "{least} to {most}");
     }
-    // At the end of its room a leg neither crosses the middle nor leaves the top by more than itself.
-    let (scales, shifts) = only(&graph, 1 - root, v(leg[0].0, leg[1].0, 0.0));
-    let moved = graph.deform_shifted(&scales, &shifts).unwrap();
-    for ((to, from), &owner) in moved.iter().zip(mesh.vertices()).zip(graph.assignment()) {
-        let is_leg = graph.parameter_row_of_box()[owner as usize] == 1 - root;
-        assert!(!is_leg || (to.x * from.x >= -1e-6 && to.y * from.y >= -1e-6), "{from} goes to {to}");
+    // At the ends of its room a leg neither crosses the middle nor overhangs the top.
+    for shift in [v(leg[0].0, leg[1].0, 0.0), v(leg[0].1, leg[1].1, 0.0)] {
+        let (scales, shifts) = only(&graph, 1 - root, shift);
+        let moved = graph.deform_shifted(&scales, &shifts).unwrap();
+        for ((to, from), &owner) in moved.iter().zip(mesh.vertices()).zip(graph.assignment()) {
+            let is_leg = graph.parameter_row_of_box()[owner as usize] == 1 - root;
+            let crosses = to.x * from.x < -1e-6 || to.y * from.y < -1e-6;
+            let overhangs = to.x.abs() > half.x + 1e-4 || to.y.abs() > half.y + 1e-4;
+            assert!(!is_leg || !(crosses || overhangs), "{from} goes to {to}");
+        }
     }
+}
+
+#[test]
+fn what_goes_on_from_a_part_is_not_shifted_over_it() {
+    // A wing that is thinner from half its length on: the outer half is no part that stands on the inner one.
+    let mut m = common::Maker::default();
+    m.cuboid(v(0.1, -0.2, 0.0), v(0.6, 0.2, 0.06), 6).cuboid(v(0.6, -0.12, 0.01), v(1.1, 0.12, 0.05), 6);
+    m.cuboid(v(-0.1, -1.2, -0.1), v(0.1, 0.8, 0.1), 6);
+    let graph = build(m.mirrored(0)).1;
+    let room = graph.shift_room();
+    let row_at = |x: f32| {
+        let b = (0..graph.box_center().len()).find(|&b| (graph.box_center()[b].x - x).abs() < 0.1);
+        graph.parameter_row_of_box()[b.expect("there is such a part")]
+    };
+    let (inner, outer) = (room[row_at(0.35)], room[row_at(0.85)]);
+    assert!(inner[1].1 - inner[1].0 > 1.0, "along the body there is room: {inner:?}");
+    assert_eq!(outer, [(0.0, 0.0); 3]);
 }
 
 #[test]

@@ -94,7 +94,7 @@ class BoxDefGraph:
 
     def shift_room(self) -> NDArray[np.float32]:
         """Least and greatest shift of each parameter row along each axis, (P, 3, 2), in object units: as far
-        as its parts stay on those they hang on. Both are 0 where there is no room.
+        as its parts do not overhang those they hang on. Both are 0 where there is no room.
         """
 
 def own_turn(mesh: Mesh) -> float:

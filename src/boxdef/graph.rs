@@ -265,7 +265,7 @@ impl BoxDefGraph {
     }
 
     /// How far each parameter row can be shifted along each axis (P), in object units: least and greatest, such
-    /// that its parts stay on those they hang on. Both are 0 where there is no room.
+    /// that its parts do not overhang those they hang on any more than they do. Both are 0 where there is no room.
     #[must_use]
     pub fn shift_room(&self) -> Vec<[(f32, f32); 3]> {
         room(&self.layout)

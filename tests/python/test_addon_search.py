@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """A search that is watched, cancelled or interrupted: the object afterwards is the object before."""
 
+import json
 import time
 
 import addon_blender as blender
+import numpy as np
 import pytest
 from addon_blender import bpy
 
@@ -86,3 +88,12 @@ def test_key_deleted_by_hand_during_the_search():
     search.run()
     search.keep(obj, bpy.context)
     assert [key.name for key in obj.data.shape_keys.key_blocks] == ["Basis", "a bar stool"]
+
+
+def test_parts_are_shifted_where_that_is_asked_for():
+    obj = blender.chair()
+    blender.deform("a bar stool", shift_parts=True)
+    record = json.loads(obj.data.shape_keys["boxmorph"])["a bar stool"]
+    assert np.abs(record["shifts"]).max() > 0
+    blender.deform("a sofa")
+    assert json.loads(obj.data.shape_keys["boxmorph"])["a sofa"]["shifts"] is None
