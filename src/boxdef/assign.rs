@@ -30,7 +30,7 @@ pub(crate) fn assign(
     islands: &[u32],
     occupancy: &Occupancy,
     boxes: &[PartBox],
-    mirrors: &[MirrorMap],
+    mirrors: &[&MirrorMap],
 ) -> Vec<i32> {
     let mut owners: Vec<i32> = vertices.par_iter().map(|&v| nearest_box(boxes, v)).collect();
     if boxes.len() > 1 {

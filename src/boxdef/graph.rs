@@ -13,14 +13,14 @@ use super::error::BoxDefError;
 use super::field::DeformField;
 use super::frame::Frame;
 use super::given::given_boxes;
-use super::islands::{islands, places};
+use super::ground::Ground;
 use super::layout::Layout;
 use super::occupancy::Occupancy;
 use super::parts::{NEG, POS, Parts, check_boxes};
 use super::propagate::{Motion, Propagation};
 use super::room::room;
 use super::split::split;
-use super::symmetry::{self, MirrorMap, Symmetry};
+use super::symmetry::{MirrorMap, Symmetry};
 use super::transfer::Transfer;
 use crate::mesh::Mesh;
 
@@ -53,17 +53,22 @@ impl BoxDefGraph {
         symmetry: Symmetry,
         boundary: Boundary,
     ) -> Result<Self, BoxDefError> {
+        Self::on(&Ground::of(mesh, symmetry), splits, boundary)
+    }
+
+    /// The same on a ground that graphs of other split counts share.
+    pub fn on(ground: &Ground<'_>, splits: u32, boundary: Boundary) -> Result<Self, BoxDefError> {
         if !(1..=8).contains(&splits) {
             return Err(BoxDefError::Splits(splits));
         }
-        let mut ground = Ground::of(mesh);
-        let symmetry = symmetry::resolve(symmetry, &ground.occupancy);
+        let symmetry = ground.symmetry;
+        let mut occupancy = ground.occupancy.clone();
         for &axis in symmetry.axes() {
-            ground.occupancy.symmetrise(axis);
+            occupancy.symmetrise(axis);
         }
-        let pieces = split(&mut ground.occupancy, splits, symmetry);
-        let boxes = part_boxes(mesh, &ground.vertices, &ground.occupancy, &pieces, symmetry);
-        Ok(Self::of_boxes(mesh, &ground, boxes, symmetry, boundary))
+        let pieces = split(&mut occupancy, splits, symmetry);
+        let boxes = part_boxes(ground.mesh, &ground.vertices, &occupancy, &pieces, symmetry);
+        Ok(Self::of_boxes(ground, &occupancy, boxes, symmetry, boundary))
     }
 
     /// Takes boxes that a person gives, in object coordinates: `center` and `half_size` (b). Boxes may overlap and
@@ -78,26 +83,25 @@ impl BoxDefGraph {
         boundary: Boundary,
     ) -> Result<Self, BoxDefError> {
         check_boxes(center, half_size)?;
-        let ground = Ground::of(mesh);
-        let symmetry = symmetry::resolve(symmetry, &ground.occupancy);
-        let (boxes, symmetry) = given_boxes(center, half_size, ground.frame, &ground.occupancy, symmetry);
-        Ok(Self::of_boxes(mesh, &ground, boxes, symmetry, boundary))
+        let ground = Ground::of(mesh, symmetry);
+        let (boxes, symmetry) =
+            given_boxes(center, half_size, ground.frame, &ground.occupancy, ground.symmetry);
+        Ok(Self::of_boxes(&ground, &ground.occupancy, boxes, symmetry, boundary))
     }
 
     /// Assigns vertices to boxes, joins the boxes, and computes the field.
     fn of_boxes(
-        mesh: &Mesh,
-        ground: &Ground,
+        ground: &Ground<'_>,
+        occupancy: &Occupancy,
         mut boxes: Vec<PartBox>,
         symmetry: Symmetry,
         boundary: Boundary,
     ) -> Self {
-        let Ground { frame, vertices, places, occupancy } = ground;
-        let mirrors: Vec<MirrorMap> =
-            symmetry.axes().iter().map(|&axis| MirrorMap::of(vertices, axis)).collect();
-        let islands = islands(mesh, places);
+        let Ground { mesh, frame, vertices, islands, .. } = ground;
+        let kept = |mirror: &&MirrorMap| symmetry.axes().contains(&mirror.axis);
+        let mirrors: Vec<&MirrorMap> = ground.mirrors.iter().filter(kept).collect();
         let owners = loop {
-            let owners = assign(mesh, vertices, &islands, occupancy, &boxes, &mirrors);
+            let owners = assign(mesh, vertices, islands, occupancy, &boxes, &mirrors);
             let kept = keep_owners(&boxes, &owners, symmetry);
             if kept.len() == boxes.len() {
                 break owners;
@@ -125,31 +129,11 @@ impl BoxDefGraph {
         Self::assemble(mesh, layout, vertices, &mirrors)
     }
 
-    fn assemble(mesh: &Mesh, layout: Layout, vertices: &[DVec3], mirrors: &[MirrorMap]) -> Self {
+    fn assemble(mesh: &Mesh, layout: Layout, vertices: &[DVec3], mirrors: &[&MirrorMap]) -> Self {
         let rows: Vec<usize> = layout.parts.box_row.iter().map(|&row| row as usize).collect();
         let basis = Propagation { layout: &layout, vertices, mirrors }.basis(&[Motion::Scale]);
         let field = Arc::new(DeformField::new(mesh.vertices().to_vec(), layout.parameter_rows(), basis));
         Self { layout, rows, field }
-    }
-}
-
-/// A mesh as its parts are found in it.
-struct Ground {
-    frame: Frame,
-    /// Vertices in the frame.
-    vertices: Vec<DVec3>,
-    /// The first vertex in the place of each.
-    places: Vec<u32>,
-    occupancy: Occupancy,
-}
-
-impl Ground {
-    fn of(mesh: &Mesh) -> Self {
-        let frame = Frame::of_surface(mesh);
-        let vertices = frame.vertices(mesh);
-        let places = places(&vertices);
-        let occupancy = Occupancy::of(mesh, frame, &vertices, &places);
-        Self { frame, vertices, places, occupancy }
     }
 }
 
@@ -252,6 +236,7 @@ impl BoxDefGraph {
     pub fn field_with_shifts(&self) -> DeformField {
         let vertices: Vec<DVec3> = self.field.rest().iter().map(|&v| self.layout.frame.to_frame(v)).collect();
         let mirrors = self.layout.mirrors(&vertices);
+        let mirrors: Vec<&MirrorMap> = mirrors.iter().collect();
         let propagation = Propagation { layout: &self.layout, vertices: &vertices, mirrors: &mirrors };
         let basis = propagation.basis(&[Motion::Scale, Motion::Shift]);
         let rows = self.parameter_rows();

@@ -34,7 +34,7 @@ pub(crate) struct Propagation<'a> {
     /// Vertices in the frame (n).
     pub(crate) vertices: &'a [DVec3],
     /// Their mirror images, which are to move as such.
-    pub(crate) mirrors: &'a [MirrorMap],
+    pub(crate) mirrors: &'a [&'a MirrorMap],
 }
 
 impl Propagation<'_> {

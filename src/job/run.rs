@@ -10,7 +10,7 @@ use super::progress::Harness;
 use super::proxy::Proxy;
 use super::soundness::Soundness;
 use super::{JobError, JobSpec};
-use crate::boxdef::BoxDefGraph;
+use crate::boxdef::{BoxDefGraph, Ground};
 use crate::render::{self, View};
 use crate::report::{GuideRecord, Report};
 use crate::search::{
@@ -104,10 +104,11 @@ fn stages(spec: &JobSpec, proxy: &Proxy<'_>, harness: &Harness) -> Result<Vec<Ar
     let counts = spec.splits.map_or_else(|| spec.preset.splits.to_vec(), |splits| vec![splits]);
     let symmetry = spec.symmetry.unwrap_or(spec.preset.symmetry);
     let boundary = spec.boundary.unwrap_or(spec.preset.boundary);
+    let ground = Ground::of(&spec.mesh, symmetry);
     let mut stages: Vec<Arc<Stage>> = Vec::new();
     for splits in counts {
         check(harness)?;
-        let graph = Arc::new(BoxDefGraph::build(&spec.mesh, splits, symmetry, boundary)?);
+        let graph = Arc::new(BoxDefGraph::on(&ground, splits, boundary)?);
         let known = |stage: &Arc<Stage>| {
             stage.graph.box_center() == graph.box_center() && stage.graph.assignment() == graph.assignment()
         };
