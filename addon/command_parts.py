@@ -11,6 +11,9 @@ from . import engine, images, parts, shape_key, spanning
 from .command_checks import DONE, named_collection, named_object, opened_file, require_writable
 from .properties import SPLITS, SYMMETRY
 
+#: What is said of parts with mirror images, by the number of their boxes.
+_MIRRORED = {2: " (two)", 4: " (four)"}
+
 #: Names of hues, from red around the circle.
 _HUES = "red orange yellow lime green mint cyan azure blue violet magenta rose".split()
 
@@ -47,7 +50,7 @@ def _parts(options):
     for row, (part, color) in enumerate(zip(obj.boxmorph.items, colors, strict=True)):
         own = [2 * np.array(half) for _center, half, r in boxes if r == row]
         size = " × ".join(f"{extent:.3g}" for extent in own[0])
-        print(f"{part.name}: {size}" + (" (two)" if len(own) == 2 else "") + f", {color_name(color)}")
+        print(f"{part.name}: {size}{_MIRRORED.get(len(own), '')}, {color_name(color)}")
     if obj.boxmorph.coarse:
         name, report = shape_key.meant_outcome(obj)
         clauses = spanning.clauses(obj.boxmorph.coarse, report.get("worst_shear"))

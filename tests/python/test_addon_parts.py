@@ -47,6 +47,19 @@ def test_boxes_lie_around_the_object_and_hang_together(chair):
     assert len(geometry["tree"]) == len(geometry["boxes"]) - 1
 
 
+def test_four_legs_are_one_part():
+    corners = np.array([(x, y, z) for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
+    sides = np.array([(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
+    legs = [((x, y, 0.35), (0.06, 0.06, 0.7)) for x in (-0.7, 0.7) for y in (-0.3, 0.3)]
+    boxes = [((0, 0, 0.73), (1.6, 0.8, 0.06)), *legs]
+    vertices = np.concatenate([np.array(center) + corners * size for center, size in boxes])
+    obj = blender.add("Table", vertices, np.concatenate([sides + 8 * i for i in range(len(boxes))]))
+    bpy.ops.boxmorph.find_parts()
+    assert sorted(names(obj)) == ["Corners", "Top"]
+    blender.deform("a bar table")
+    assert json.loads(obj.data.shape_keys["boxmorph"])["a bar table"]["symmetry"] == "xy"
+
+
 def test_a_locked_part_keeps_its_scale(chair):
     chair.boxmorph.items[1].lock = (True, True, True)
     blender.deform(PROMPT)
