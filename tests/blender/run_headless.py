@@ -6,6 +6,7 @@ tests/blender/run_headless.py [CHROOT ...]
 """
 
 import json
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -62,6 +63,7 @@ def check_suite(bench, counts):
         return bench.run("blender", *opened, "--command", "boxmorph", *arguments)
 
     check_done(bench, boxmorph, counts)
+    check_script(bench, counts)
     check_failed(bench.inside, boxmorph, counts)
     check_usage(boxmorph, counts)
     after = (bench.outside / "chair.blend").read_bytes()
@@ -128,6 +130,26 @@ def check_done(bench, boxmorph, counts):
     )
     counts.check(
         "zzgribble" in run.stderr and "does not know" in run.stderr, "an unknown word is named", run.stderr
+    )
+
+
+def check_script(bench, counts):
+    """The script of docs/headless.md, with the objects of this file."""
+    page = (Path(__file__).resolve().parents[2] / "docs" / "headless.md").read_text(encoding="utf-8")
+    script = page.partition("```python\n")[2].partition("```")[0]
+    wanted = {"Chair": "a bar stool", "Plain Chair": "a sofa"}
+    script, replaced = re.subn(r"^prompts = .*$", f"prompts = {wanted}", script, flags=re.MULTILINE)
+    script = script.replace("deformed.blend", f"{bench.inside}/deformed.blend")
+    Path(f"{bench.outside}/script.py").write_text(script, encoding="utf-8")
+    run = bench.run(
+        *("blender", "-b", bench.chair, "--python-exit-code", "1", "--python", f"{bench.inside}/script.py")
+    )
+    made = look(bench, f"{bench.inside}/deformed.blend")
+    keys = {name: made.get(name, {}).get("keys", {}) for name in wanted}
+    counts.check(
+        replaced == 1 and run.returncode == 0 and all(keys[name].get(key) for name, key in wanted.items()),
+        "the script of the documents deforms several objects",
+        f"{keys}\n{run.stdout}{run.stderr}",
     )
 
 
