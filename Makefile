@@ -8,7 +8,7 @@ WHEEL_SOURCES := Cargo.toml Cargo.lock pyproject.toml $(wildcard guides/mini/*) 
 	$(shell find src python -name '*.rs' -o -name '*.wgsl' -o -name '*.py' -o -name '*.pyi')
 ADDON_SOURCES := scripts/build_extension.py $(shell find addon -type f -not -name '*.pyc')
 
-.PHONY: help tools setup test demo pictures bench extension guide lint format clean
+.PHONY: help tools setup test demo pictures bench extension release guide lint format clean
 
 help: ## list the targets
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -37,6 +37,13 @@ extension: setup $(VENV)/.extension ## build the installable zip in dist/
 $(VENV)/.extension: $(VENV)/.wheel $(ADDON_SOURCES)
 	$(BIN)/python scripts/build_extension.py
 	@touch $@
+
+release: $(VENV)/.requirements ## build the zip for every Linux from glibc 2.28 on, with zig, in dist/release/
+	$(BIN)/pip install --quiet --disable-pip-version-check ziglang==0.17.1
+	$(BIN)/python scripts/fetch_onnxruntime.py
+	rm -rf dist/release
+	PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/maturin build --release --zig --compatibility manylinux_2_28 --quiet --target-dir target/zig --out dist/release
+	$(BIN)/python scripts/build_extension.py --wheel dist/release/*.whl --output-dir dist/release
 
 $(VENV)/.test-requirements: $(VENV)/.requirements requirements/test.txt
 	$(BIN)/pip install --quiet --disable-pip-version-check -r requirements/test.txt
