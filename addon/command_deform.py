@@ -65,6 +65,12 @@ def add_to(commands):
         help="keyframe the spectrum over these frames, from value 0 to 1 or those given",
     )
     deform.add_argument(
+        "--timing",
+        choices=[item[0] for item in keyframes.TIMINGS],
+        default="linear",
+        help="how the keyframed value changes: evenly, eased, or so that the score rises evenly",
+    )
+    deform.add_argument(
         "--output", metavar="FILE.blend", help="default: FILE-<prompt>.blend beside FILE.blend"
     )
     deform.add_argument("--report", metavar="FILE.json", help="write a report of the search")
@@ -114,7 +120,14 @@ def _deform(options):
     for note in search.departures(obj) + search.shear():
         print(f"boxmorph: {note}.", file=sys.stderr)
     if options.keyframes is not None:
-        keyframes.keyframe_spectrum(obj.data.shape_keys.key_blocks[search.name], *options.keyframes)
+        keyframes.keyframe_spectrum(
+            obj,
+            bpy.context,
+            obj.data.shape_keys.key_blocks[search.name],
+            *options.keyframes,
+            timing=options.timing,
+            renderer=options.renderer,
+        )
 
     _save(output)
     _write_pictures(search, options)

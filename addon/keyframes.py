@@ -1,19 +1,56 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Keyframe Spectrum: two linear keyframes on the value of an outcome's shape key.
+"""Keyframe Spectrum: keyframes on the value of an outcome's shape key, with linear, eased or semantic timing.
 
-The blend of a shape key is linear, so every frame between the two is a valid deformation too.
+The blend of a shape key is linear, so every frame between the keys is a valid deformation too.
 """
 
+import numpy as np
+
+from . import score_curve
 from .errors import Refusal
+from .semantic_timing import even_alphas
+
+TIMINGS = (
+    ("linear", "Linear", "The value changes evenly"),
+    ("eased", "Eased", "The value starts and ends slowly"),
+    ("semantic", "Semantic", "The likeness to the prompt grows evenly: keys are placed by the guide's score"),
+)
+
+#: Keyframes of semantic timing, fewer where there are fewer frames.
+_SEMANTIC_KEYS = 11
 
 
-def keyframe_spectrum(key, frame_from, frame_to, alpha_from=0.0, alpha_to=1.0):
-    """Key the value of shape key `key` from `alpha_from` at `frame_from` to `alpha_to` at `frame_to`,
-    linearly.
+def keyframe_spectrum(
+    obj,
+    context,
+    key,
+    frame_from,
+    frame_to,
+    alpha_from=0.0,
+    alpha_to=1.0,
+    timing="linear",
+    renderer=None,
+):
+    """Key the value of the outcome `key` of `obj` from `alpha_from` at `frame_from` to `alpha_to` at
+    `frame_to`.
 
-    Keyframes that lay between the two frames are replaced; others stay. Raises Refusal for frames that are
-    one and the same, and for values that the key's slider cannot take.
+    Keyframes that lay between the two frames are replaced; others stay. Semantic timing measures the score
+    and keeps its curve in the outcome's record. Raises Refusal, before anything is changed, for frames that
+    are one and the same, values that the key's slider cannot take, a value that is driven, and, in semantic
+    timing, a score that cannot be measured or does not rise.
     """
+    _check(key, frame_from, frame_to, alpha_from, alpha_to)
+    frames, alphas = [frame_from, frame_to], [alpha_from, alpha_to]
+    curve = None
+    if timing == "semantic":
+        curve = score_curve.measure(obj, context, key, alpha_from, alpha_to, renderer)
+        frames, alphas = _semantic_keys(curve, frames, alphas)
+    _replace_keyframes(key, frames, alphas, "BEZIER" if timing == "eased" else "LINEAR")
+    if curve is not None:
+        score_curve.keep(obj, key, curve)
+
+
+def _check(key, frame_from, frame_to, alpha_from, alpha_to):
     if frame_from == frame_to:
         raise Refusal(f"The spectrum needs two different frames, and both are {frame_from}")
     for alpha in (alpha_from, alpha_to):
@@ -22,16 +59,39 @@ def keyframe_spectrum(key, frame_from, frame_to, alpha_from=0.0, alpha_to=1.0):
                 f"The value {alpha:g} is outside of what “{key.name}” can be, "
                 f"{key.slider_min:.2f} to {key.slider_max:.2f}"
             )
+    animation = key.id_data.animation_data
+    if animation is not None and animation.drivers.find(key.path_from_id("value")) is not None:
+        raise Refusal(
+            f"“{key.name}” is driven, and a driven value cannot be keyframed. Delete its driver first, or "
+            "keyframe what drives it"
+        )
+
+
+def _semantic_keys(curve, frames, alphas):
+    """Return frames and slider values, lists of floats, such that the score of `curve` rises evenly over the
+    frames from the lower of two slider values to the higher.
+    """
+    (low, first), (high, last) = sorted(zip(alphas, frames, strict=True))
+    count = min(_SEMANTIC_KEYS, abs(last - first) + 1)
+    whole = np.rint(np.linspace(first, last, count))
+    values = even_alphas(curve["alphas"], curve["scores"], (whole - first) / (last - first))
+    # The ends as they were asked for, not as they are recorded.
+    values[0], values[-1] = low, high
+    return whole.tolist(), values.tolist()
+
+
+def _replace_keyframes(key, frames, alphas, interpolation):
+    """Put keyframes with these values in the place of all from the first to the last of `frames`."""
     keys = key.id_data
     path = key.path_from_id("value")
-    first, last = sorted((frame_from, frame_to))
+    first, last = min(frames), max(frames)
     curve = _curve(keys, path)
     if curve is not None:
         for point in reversed(list(curve.keyframe_points)):
             if first <= point.co.x <= last:
                 curve.keyframe_points.remove(point, fast=True)
         curve.update()
-    for frame, alpha in ((frame_from, alpha_from), (frame_to, alpha_to)):
+    for frame, alpha in zip(frames, alphas, strict=True):
         key.value = alpha
         if not key.keyframe_insert("value", frame=frame):
             raise Refusal(
@@ -39,8 +99,10 @@ def keyframe_spectrum(key, frame_from, frame_to, alpha_from=0.0, alpha_to=1.0):
             )
     curve = _curve(keys, path)
     for point in curve.keyframe_points:
+        if first <= point.co.x <= last:
+            point.handle_left_type = point.handle_right_type = "AUTO_CLAMPED"
         if first <= point.co.x < last:
-            point.interpolation = "LINEAR"
+            point.interpolation = interpolation
     curve.update()
 
 

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators on what a search has left: keyframe an outcome, remove it, show the views of the object."""
+"""Operators on what a search has left: keyframe an outcome, measure its scores, remove it, show the views of
+the object.
+"""
 
 import bpy
 from bpy.props import FloatProperty, IntProperty, StringProperty
 
-from . import engine, images, keyframes, mesh_io, shape_key
+from . import engine, images, keyframes, mesh_io, score_curve, shape_key
 from .errors import Refusal
 from .preferences import preferences
+from .properties import timing
 from .redraw import redraw_panels
 
 
@@ -33,9 +36,15 @@ class _OnOutcome:
         name = self.key or shape_key.meant_outcome(obj)[0]
         return obj, obj.data.shape_keys.key_blocks[name]
 
+    def take_settings(self, context, *names):
+        """Take properties that were not given from the panel's settings."""
+        for name in names:
+            if not self.properties.is_property_set(name):
+                setattr(self, name, getattr(context.scene.boxmorph, name))
+
 
 class BOXMORPH_OT_keyframe_spectrum(_OnOutcome, bpy.types.Operator):
-    """Animate the outcome: keyframe its value from one frame to another, linearly"""
+    """Animate the outcome: keyframe its value from one frame to another"""
 
     bl_idname = "boxmorph.keyframe_spectrum"
     bl_label = "Keyframe Spectrum"
@@ -45,22 +54,55 @@ class BOXMORPH_OT_keyframe_spectrum(_OnOutcome, bpy.types.Operator):
     frame_to: IntProperty(name="To Frame", default=60)
     alpha_from: FloatProperty(name="From Value", default=0.0)
     alpha_to: FloatProperty(name="To Value", default=1.0)
+    timing: timing()
 
     def invoke(self, context, _event):
-        settings = context.scene.boxmorph
-        for name in ("frame_from", "frame_to", "alpha_from", "alpha_to"):
-            if not self.properties.is_property_set(name):
-                setattr(self, name, getattr(settings, name))
+        self.take_settings(context, "frame_from", "frame_to", "alpha_from", "alpha_to", "timing")
         return self.execute(context)
 
     def execute(self, context):
         try:
-            _obj, key = self.outcome(context)
-            keyframes.keyframe_spectrum(key, self.frame_from, self.frame_to, self.alpha_from, self.alpha_to)
+            obj, key = self.outcome(context)
+            keyframes.keyframe_spectrum(
+                obj,
+                context,
+                key,
+                self.frame_from,
+                self.frame_to,
+                self.alpha_from,
+                self.alpha_to,
+                self.timing,
+            )
         except Refusal as refusal:
             self.report({"ERROR"}, str(refusal))
             return {"CANCELLED"}
         context.scene.frame_set(context.scene.frame_current)
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_measure_scores(_OnOutcome, bpy.types.Operator):
+    """Measure how much the outcome looks like its prompt from one value to another, and draw the curve"""
+
+    bl_idname = "boxmorph.measure_scores"
+    bl_label = "Measure Scores"
+    bl_options = {"REGISTER", "UNDO"}
+
+    alpha_from: FloatProperty(name="From Value", default=0.0)
+    alpha_to: FloatProperty(name="To Value", default=1.0)
+
+    def invoke(self, context, _event):
+        self.take_settings(context, "alpha_from", "alpha_to")
+        return self.execute(context)
+
+    def execute(self, context):
+        try:
+            obj, key = self.outcome(context)
+            curve = score_curve.measure(obj, context, key, self.alpha_from, self.alpha_to)
+        except Refusal as refusal:
+            self.report({"ERROR"}, str(refusal))
+            return {"CANCELLED"}
+        score_curve.keep(obj, key, curve)
+        redraw_panels()
         return {"FINISHED"}
 
 
@@ -114,4 +156,9 @@ class BOXMORPH_OT_show_views(bpy.types.Operator):
         return {"FINISHED"}
 
 
-classes = (BOXMORPH_OT_keyframe_spectrum, BOXMORPH_OT_remove_outcome, BOXMORPH_OT_show_views)
+classes = (
+    BOXMORPH_OT_keyframe_spectrum,
+    BOXMORPH_OT_measure_scores,
+    BOXMORPH_OT_remove_outcome,
+    BOXMORPH_OT_show_views,
+)

@@ -5,7 +5,7 @@ search.
 
 import bpy
 
-from . import engine, shape_key, spanning
+from . import engine, score_curve, shape_key, spanning
 from .images import VIEWS_IMAGE
 from .preferences import preferences
 from .progress import progress_parts
@@ -66,11 +66,15 @@ class BOXMORPH_PT_outcomes(_Sidebar, bpy.types.Panel):
     def draw(self, context):
         layout = self.layout
         settings = context.scene.boxmorph
+        reports = shape_key.records(context.active_object.data)
         for key in _outcomes(context):
             row = layout.row(align=True)
             row.prop(key, "value", text=key.name, slider=True)
             row.operator("boxmorph.keyframe_spectrum", text="", icon="KEYINGSET").key = key.name
             row.operator("boxmorph.remove_outcome", text="", icon="X").key = key.name
+            curve = score_curve.text(reports[key.name])
+            if curve is not None:
+                layout.label(text=curve)
         column = layout.column(align=True)
         row = column.row(align=True)
         row.prop(settings, "frame_from", text="Frame")
@@ -78,6 +82,9 @@ class BOXMORPH_PT_outcomes(_Sidebar, bpy.types.Panel):
         row = column.row(align=True)
         row.prop(settings, "alpha_from", text="Value")
         row.prop(settings, "alpha_to", text="to")
+        row = column.row(align=True)
+        row.prop(settings, "timing", text="")
+        row.operator("boxmorph.measure_scores", text="", icon="GRAPH")
         layout.operator("boxmorph.keyframe_spectrum", icon="KEYINGSET")
 
 

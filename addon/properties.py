@@ -15,6 +15,7 @@ from bpy.props import (
 
 from . import parts
 from .errors import Refusal
+from .keyframes import TIMINGS
 from .suggestions import suggest
 
 PRESETS = (
@@ -61,6 +62,16 @@ def _symmetry(**options):
         items=SYMMETRY,
         default="auto",
         **options,
+    )
+
+
+def timing():
+    """Return the property that chooses the timing of keyframes."""
+    return EnumProperty(
+        name="Timing",
+        description="How the outcome comes about between the two frames",
+        items=TIMINGS,
+        default="linear",
     )
 
 
@@ -156,6 +167,7 @@ class BoxmorphSettings(SearchProperties, bpy.types.PropertyGroup):
         soft_max=2.0,
         default=1.0,
     )
+    timing: timing()
 
 
 classes = (BoxmorphSettings,)

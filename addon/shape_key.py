@@ -54,6 +54,13 @@ def meant_outcome(obj):
     return name, stored.get(name, {})
 
 
+def note(mesh, name, field, value):
+    """Put `value`, JSON-ready, into the report of the outcome `name`."""
+    stored = records(mesh)
+    stored[name][field] = value
+    _store(mesh.shape_keys, stored)
+
+
 def remove_outcome(obj, name):
     """Delete an outcome: its key, its record and its animation."""
     keys = obj.data.shape_keys

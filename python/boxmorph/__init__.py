@@ -22,6 +22,7 @@ from ._boxmorph import (
     metrics,
     own_turn,
     render,
+    spectrum_scores,
 )
 
 __all__ = [
@@ -37,6 +38,7 @@ __all__ = [
     "metrics",
     "own_turn",
     "render",
+    "spectrum_scores",
 ]
 
 for _library in sorted((_Path(__file__).parent / "onnxruntime").glob("*onnxruntime*")):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 # Vertices are in object coordinates, any unit, z up.
+from collections.abc import Sequence
 from os import PathLike
 from typing import Any, Literal
 
@@ -138,6 +139,22 @@ def render(
     colors: NDArray[np.uint8] | None = None,  # (m, 3), of triangles; not with "gpu"
 ) -> NDArray[np.uint8]:
     """RGBA images with straight alpha, (views, size, size, 4). Raises RenderError."""
+
+def spectrum_scores(
+    mesh: Mesh,
+    vertices: NDArray[np.float32],  # (n, 3), the outcome: positions of the mesh's vertices
+    prompt: str,
+    guide: Guide,
+    alphas: Sequence[float] | NDArray[np.float64],  # (k,), 0: the mesh, 1: the outcome
+    renderer: Renderer = "auto",
+) -> NDArray[np.float64]:
+    """Scores (k,) of the shapes mesh + alpha * (vertices - mesh): mean cosine of all 12 images with the
+    prompt, as `Result.score_before` and `Result.score_after`. Dense meshes are scored by the light proxy that
+    a Job takes.
+
+    Raises ValueError for a prompt the guide cannot read, for `vertices` of another number, and for numbers
+    that are not finite; TypeError for another dtype; GuideError, RenderError.
+    """
 
 class Job:
     """A deformation on a thread of its own; not started when made."""

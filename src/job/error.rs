@@ -29,6 +29,19 @@ pub enum JobError {
     /// The extra points are not numbers.
     #[error("the points hold NaN or infinite coordinates; repair the base mesh")]
     BadPoints,
+    /// An outcome of another mesh.
+    #[error(
+        "the outcome has {found} vertices and the mesh {expected}; give positions of the mesh's vertices"
+    )]
+    OtherOutcome {
+        /// Vertices of the mesh.
+        expected: usize,
+        /// Positions given.
+        found: usize,
+    },
+    /// A spectrum that is not of numbers.
+    #[error("the outcome or the values along its spectrum are NaN or infinite; give finite numbers")]
+    BadSpectrum,
     /// The graph belongs to another mesh.
     #[error("the graph was built from a mesh of other vertices; build it from this one")]
     OtherMesh,

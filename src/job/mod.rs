@@ -7,6 +7,7 @@ mod progress;
 mod proxy;
 mod run;
 mod soundness;
+mod spectrum_scores;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex};
@@ -17,6 +18,7 @@ use glam::Vec3;
 pub use error::JobError;
 pub use outcome::Outcome;
 pub use progress::Progress;
+pub use spectrum_scores::spectrum_scores;
 
 use crate::boxdef::{Boundary, BoxDefGraph, Symmetry};
 use crate::guide::Guide;

@@ -69,6 +69,8 @@ impl IntoPyErr for JobError {
             Self::BoxDef(_)
             | Self::BadPoints
             | Self::OtherMesh
+            | Self::OtherOutcome { .. }
+            | Self::BadSpectrum
             | Self::GraphAndParts
             | Self::LocksWithoutGraph
             | Self::Space(_) => PyValueError::new_err(self.to_string()),

@@ -8,6 +8,7 @@ mod guide;
 mod job;
 mod metrics;
 mod render;
+mod spectrum;
 
 use pyo3::prelude::*;
 
@@ -28,6 +29,8 @@ mod _boxmorph {
     use super::metrics::metrics;
     #[pymodule_export]
     use super::render::render;
+    #[pymodule_export]
+    use super::spectrum::spectrum_scores;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
