@@ -9,7 +9,7 @@ import sys
 
 import bpy
 
-from . import engine, images, keyframes, parts
+from . import engine, images, keyframes, parts, take_apart
 from .command_checks import DONE, named_collection, named_object, opened_file, require_writable
 from .errors import Refusal
 from .preferences import RENDERERS
@@ -58,7 +58,13 @@ def add_to(commands):
     deform.add_argument(
         "--renderer", choices=[item[0] for item in RENDERERS], help="default: as in the preferences"
     )
-    deform.add_argument(
+    after = deform.add_mutually_exclusive_group()
+    after.add_argument(
+        "--take-apart",
+        action="store_true",
+        help="make a shape key of each part's width, depth and height; together they equal the outcome",
+    )
+    after.add_argument(
         "--keyframes",
         type=_keyframes,
         metavar="FROM:TO[:VALUE:VALUE]",
@@ -119,6 +125,8 @@ def _deform(options):
     search.keep(obj, bpy.context)
     for note in search.departures(obj) + search.shear():
         print(f"boxmorph: {note}.", file=sys.stderr)
+    if options.take_apart:
+        _take_apart(obj, search.name)
     if options.keyframes is not None:
         keyframes.keyframe_spectrum(
             obj,
@@ -152,6 +160,15 @@ def _lock(obj, wanted):
         if not set(axes.lower()) <= set("xyz"):
             raise Refusal(f"“{axes}” names no axes. Write x, y or z, or several, such as xy")
         part.lock = [axis in (axes.lower() or "xyz") for axis in "xyz"]
+
+
+def _take_apart(obj, name):
+    """Take the outcome apart; where that is refused it is still worth saving."""
+    try:
+        for piece in take_apart.take_apart(obj, bpy.context, name):
+            print(f"boxmorph: made the shape key “{piece}”.")
+    except Refusal as refusal:
+        print(f"boxmorph: {refusal}.", file=sys.stderr)
 
 
 def _default_output(source, prompt):

@@ -39,10 +39,12 @@ def library():
     return boxmorph
 
 
-def searched(obj, context):
-    """Return the ObjectArrays of `obj`, turned to its own axes, and their Mesh. Raises Refusal."""
+def searched(obj, context, bare=False):
+    """Return the ObjectArrays of `obj`, turned to its own axes, and their Mesh; with `bare`, as it is without
+    modifiers. Raises Refusal.
+    """
     boxmorph = library()
-    arrays = mesh_io.object_arrays(obj, context)
+    arrays = mesh_io.object_arrays(obj, context, bare)
     try:
         mesh = boxmorph.Mesh(arrays.vertices, arrays.triangles)
         turn = boxmorph.own_turn(mesh)

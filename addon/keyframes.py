@@ -106,6 +106,15 @@ def _replace_keyframes(key, frames, alphas, interpolation):
     curve.update()
 
 
+def is_animated(key):
+    """Whether keyframes or a driver set the value of shape key `key`."""
+    animation = key.id_data.animation_data
+    path = key.path_from_id("value")
+    if animation is None:
+        return False
+    return _curve(key.id_data, path) is not None or animation.drivers.find(path) is not None
+
+
 def remove_curve(keys, path):
     """Delete the animation curve of `path` on the Key data-block `keys`, if there is one."""
     curve = _curve(keys, path)

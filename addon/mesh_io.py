@@ -71,16 +71,16 @@ def deformable(obj):
     return obj
 
 
-def object_arrays(obj, context):
-    """Return the ObjectArrays of a deformable object. Raises Refusal for a mesh that has no usable
-    surface.
+def object_arrays(obj, context, bare=False):
+    """Return the ObjectArrays of a deformable object; with `bare`, without its modifiers. Raises Refusal for
+    a mesh that has no usable surface.
     """
     base = basis_positions(obj.data)
     _require_finite(base, obj)
     shown = [modifier for modifier in obj.modifiers if modifier.show_viewport]
     left_out = tuple(modifier.name for modifier in shown if modifier.type in POSING)
     scale = _uneven_scale(obj)
-    if len(shown) == len(left_out):
+    if bare or len(shown) == len(left_out):
         arrays = ObjectArrays(base * scale, mesh_triangles(obj.data), None, np.diag(scale), left_out)
     else:
         with as_modelled(obj, context) as mesh:

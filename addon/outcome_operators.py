@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators on what a search has left: keyframe an outcome, measure its scores, remove it, show the views of
-the object.
+"""Operators on what a search has left: keyframe an outcome, measure its scores, remove it, take it apart, make
+it an object, show the views of the object.
 """
 
 import bpy
 from bpy.props import FloatProperty, IntProperty, StringProperty
 
-from . import engine, images, keyframes, mesh_io, score_curve, shape_key
+from . import engine, images, keyframes, mesh_io, new_object, score_curve, shape_key, take_apart
 from .errors import Refusal
 from .preferences import preferences
 from .properties import timing
@@ -107,7 +107,7 @@ class BOXMORPH_OT_measure_scores(_OnOutcome, bpy.types.Operator):
 
 
 class BOXMORPH_OT_remove_outcome(_OnOutcome, bpy.types.Operator):
-    """Delete the outcome: its shape key, its record and its animation"""
+    """Delete the outcome: its shape key, those it was taken apart into, its record and its animation"""
 
     bl_idname = "boxmorph.remove_outcome"
     bl_label = "Remove Outcome"
@@ -120,6 +120,72 @@ class BOXMORPH_OT_remove_outcome(_OnOutcome, bpy.types.Operator):
         except Refusal as refusal:
             self.report({"ERROR"}, str(refusal))
             return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_take_apart(_OnOutcome, bpy.types.Operator):
+    """Make a shape key of each part's width, depth and height, to be tuned by hand. Together they equal the
+    outcome, which is set to 0 and stays
+    """
+
+    bl_idname = "boxmorph.take_apart"
+    bl_label = "Take Apart"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        try:
+            obj, key = self.outcome(context)
+            made = take_apart.take_apart(obj, context, key.name)
+        except Refusal as refusal:
+            self.report({"ERROR"}, str(refusal))
+            return {"CANCELLED"}
+        self.report({"INFO"}, f"“{key.name}” is now {len(made)} shape keys")
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_put_together(_OnOutcome, bpy.types.Operator):
+    """Delete the shape keys that the outcome was taken apart into, and show the outcome again as it was"""
+
+    bl_idname = "boxmorph.put_together"
+    bl_label = "Put Together"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        try:
+            obj, key = self.outcome(context)
+            missing = take_apart.put_together(obj, key.name)
+        except Refusal as refusal:
+            self.report({"ERROR"}, str(refusal))
+            return {"CANCELLED"}
+        if missing:
+            self.report(
+                {"WARNING"}, f"{missing} of its shape keys, deleted or renamed, were left as they are"
+            )
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_apply_as_new(_OnOutcome, bpy.types.Operator):
+    """Make a new object, in the same place, whose mesh is the outcome as it is shown now, without shape keys.
+    UVs, materials, groups and modifiers stay
+    """
+
+    bl_idname = "boxmorph.apply_as_new"
+    bl_label = "Apply as New Object"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        try:
+            obj, key = self.outcome(context)
+            new = new_object.apply_as_new(obj, key.name)
+        except Refusal as refusal:
+            self.report({"ERROR"}, str(refusal))
+            return {"CANCELLED"}
+        context.view_layer.update()
+        if new.name in context.view_layer.objects:
+            for other in context.view_layer.objects:
+                other.select_set(False)
+            new.select_set(True)
+            context.view_layer.objects.active = new
         return {"FINISHED"}
 
 
@@ -160,5 +226,8 @@ classes = (
     BOXMORPH_OT_keyframe_spectrum,
     BOXMORPH_OT_measure_scores,
     BOXMORPH_OT_remove_outcome,
+    BOXMORPH_OT_take_apart,
+    BOXMORPH_OT_put_together,
+    BOXMORPH_OT_apply_as_new,
     BOXMORPH_OT_show_views,
 )

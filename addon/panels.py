@@ -72,9 +72,12 @@ class BOXMORPH_PT_outcomes(_Sidebar, bpy.types.Panel):
             row.prop(key, "value", text=key.name, slider=True)
             row.operator("boxmorph.keyframe_spectrum", text="", icon="KEYINGSET").key = key.name
             row.operator("boxmorph.remove_outcome", text="", icon="X").key = key.name
+            row.context_pointer_set("boxmorph_outcome", key)
+            row.menu("BOXMORPH_MT_outcome", text="", icon="DOWNARROW_HLT")
             curve = score_curve.text(reports[key.name])
             if curve is not None:
                 layout.label(text=curve)
+            _draw_pieces(layout, key)
         column = layout.column(align=True)
         row = column.row(align=True)
         row.prop(settings, "frame_from", text="Frame")
@@ -86,6 +89,33 @@ class BOXMORPH_PT_outcomes(_Sidebar, bpy.types.Panel):
         row.prop(settings, "timing", text="")
         row.operator("boxmorph.measure_scores", text="", icon="GRAPH")
         layout.operator("boxmorph.keyframe_spectrum", icon="KEYINGSET")
+
+
+def _draw_pieces(layout, outcome):
+    """Draw the sliders of what an outcome was taken apart into, if it was."""
+    pieces = shape_key.pieces(outcome.id_data.user, outcome.name)
+    if not pieces:
+        return
+    header, body = layout.panel(f"boxmorph_pieces_{outcome.name}")
+    header.label(text=f"Taken apart: {len(pieces)} pieces")
+    if body is not None:
+        column = body.column(align=True)
+        for key in pieces:
+            column.prop(key, "value", text=key.name.rpartition(": ")[2], slider=True)
+
+
+class BOXMORPH_MT_outcome(bpy.types.Menu):
+    """More to do with an outcome"""
+
+    bl_label = "Outcome"
+
+    def draw(self, context):
+        layout = self.layout
+        key = context.boxmorph_outcome
+        apart = shape_key.is_apart(key.id_data.user, key.name)
+        kind = "put_together" if apart else "take_apart"
+        layout.operator(f"boxmorph.{kind}", icon="MOD_BUILD").key = key.name
+        layout.operator("boxmorph.apply_as_new", icon="DUPLICATE").key = key.name
 
 
 class BOXMORPH_PT_parts(_Sidebar, bpy.types.Panel):
@@ -153,4 +183,11 @@ class BOXMORPH_PT_search(_Sidebar, bpy.types.Panel):
         layout.prop(preferences(), "renderer")
 
 
-classes = (BOXMORPH_PT_main, BOXMORPH_PT_outcomes, BOXMORPH_PT_parts, BOXMORPH_PT_views, BOXMORPH_PT_search)
+classes = (
+    BOXMORPH_PT_main,
+    BOXMORPH_PT_outcomes,
+    BOXMORPH_MT_outcome,
+    BOXMORPH_PT_parts,
+    BOXMORPH_PT_views,
+    BOXMORPH_PT_search,
+)

@@ -15,6 +15,10 @@ from .mesh_io import key_positions
 
 RECORDS = "boxmorph"
 
+#: In the record of an outcome that was taken apart: the names of its pieces, and the value that it had.
+PIECES = "pieces"
+_VALUE = "value_before_pieces"
+
 #: Shape key names are at most 63 bytes in Blender 4.2.
 _NAME_BYTES = 60
 
@@ -45,12 +49,13 @@ def outcomes(mesh):
 
 
 def meant_outcome(obj):
-    """Return the name and report of the outcome that is meant: the active key, else the newest; (None, {})
-    where there is none.
+    """Return the name and report of the outcome that is meant: that of the active key, else the newest;
+    (None, {}) where there is none.
     """
     stored = records(obj.data)
     active = obj.active_shape_key.name if obj.active_shape_key else None
-    name = active if active in stored else next(reversed(stored), None)
+    of_active = (name for name, report in stored.items() if active in (name, *report.get(PIECES, ())))
+    name = next(of_active, None) or next(reversed(stored), None)
     return name, stored.get(name, {})
 
 
@@ -62,11 +67,66 @@ def note(mesh, name, field, value):
 
 
 def remove_outcome(obj, name):
-    """Delete an outcome: its key, its record and its animation."""
-    keys = obj.data.shape_keys
+    """Delete an outcome: its key, its pieces, its record and its animation."""
+    remove_pieces(obj, name)
     stored = records(obj.data)
     stored.pop(name, None)
-    key = keys.key_blocks[name]
+    _remove_key(obj, obj.data.shape_keys.key_blocks[name])
+    _store(obj.data.shape_keys, stored)
+
+
+def set_limits(key, least, greatest):
+    """Give a shape key these slider limits, as far as Blender has them; 0 and 1 are always among them."""
+    key.slider_min = max(-_SLIDER_LIMIT, min(float(least), 0.0))
+    key.slider_max = min(_SLIDER_LIMIT, max(float(greatest), 1.0))
+
+
+def piece_name(name, label):
+    """Return the key name of a piece of the outcome `name`; of the two, the outcome's name is cut."""
+    tail = f": {label}"
+    return name.encode()[: _NAME_BYTES - len(tail.encode())].decode(errors="ignore").rstrip() + tail
+
+
+def is_apart(mesh, name):
+    """Whether the outcome `name` of `mesh` has been taken apart."""
+    return PIECES in records(mesh)[name]
+
+
+def pieces(mesh, name):
+    """Return the shape keys that the outcome `name` of `mesh` was taken apart into, as far as they still
+    exist.
+    """
+    blocks = mesh.shape_keys.key_blocks
+    return [blocks[piece] for piece in records(mesh)[name].get(PIECES, ()) if piece in blocks]
+
+
+def keep_pieces(mesh, name, names, value):
+    """Note that the outcome `name` of `mesh` was taken apart into these keys when it had this value."""
+    stored = records(mesh)
+    stored[name] |= {PIECES: names, _VALUE: value}
+    _store(mesh.shape_keys, stored)
+
+
+def remove_pieces(obj, name):
+    """Delete the keys that an outcome was taken apart into, if it was, and their animation; return how many
+    are there no longer, and the value that the outcome had before.
+    """
+    blocks = obj.data.shape_keys.key_blocks
+    active = obj.active_shape_key.name if obj.active_shape_key else None
+    found = [key.name for key in pieces(obj.data, name)]
+    for piece in found:
+        _remove_key(obj, blocks[piece])
+    if found and active is not None:
+        obj.active_shape_key_index = blocks.find(name if active in found else active)
+    stored = records(obj.data)
+    missing = len(stored[name].pop(PIECES, ())) - len(found)
+    value = stored[name].pop(_VALUE, 0.0)
+    _store(obj.data.shape_keys, stored)
+    return missing, value
+
+
+def _remove_key(obj, key):
+    keys = obj.data.shape_keys
     key.driver_remove("value")
     animation = keys.animation_data
     if animation is not None and animation.action is not None:
@@ -74,7 +134,6 @@ def remove_outcome(obj, name):
 
         remove_curve(keys, key.path_from_id("value"))
     obj.shape_key_remove(key)
-    _store(obj.data.shape_keys, stored)
 
 
 def _store(keys, stored):
@@ -109,6 +168,7 @@ class Trial:
                 self.previous = _KeyState(key)
             else:
                 self.others[key.name] = key.value
+            self.others |= {piece.name: piece.value for piece in pieces(obj.data, key.name)}
 
     def fits(self, obj):
         """Whether `obj` still has the vertices that the search was begun with."""
@@ -128,15 +188,15 @@ class Trial:
     def keep(self, obj, positions, slider_min, slider_max, report):
         """Make the key an outcome with these slider limits and this record. Returns its name."""
         self.write(obj, positions)
+        if self.name in records(obj.data):
+            remove_pieces(obj, self.name)
         key = self.key(obj)
-        key.slider_min = max(-_SLIDER_LIMIT, min(float(slider_min), 0.0))
-        key.slider_max = min(_SLIDER_LIMIT, max(float(slider_max), 1.0))
+        set_limits(key, slider_min, slider_max)
         key.value = 1.0
-        keys = obj.data.shape_keys
         stored = records(obj.data)
         stored.pop(self.name, None)
         stored[self.name] = report
-        _store(keys, stored)
+        _store(obj.data.shape_keys, stored)
         return self.name
 
     def take_back(self, obj):

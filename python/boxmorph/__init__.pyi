@@ -90,8 +90,21 @@ class BoxDefGraph:
         A shift moves a part and all that hangs on it; mirror images move the mirrored way.
         """
 
-    def field(self) -> NDArray[np.float32]:
-        """The field B, (3, P, n): V_a(c) = V_a + sum over p of (c[p, a] - 1) B[a, p]."""
+    def field(self, with_shifts: bool = False) -> NDArray[np.float32]:
+        """The field B, (3, P, n): V_a(c) = V_a + sum over p of (c[p, a] - 1) B[a, p].
+
+        With shifts (3, 2 P, n): sum over p of shift[p, a] B[a, P + p] is added, shifts in object units.
+        """
+
+    def field_at(
+        self,
+        points: NDArray[np.float32],  # (k, 3), such as a base mesh under its modifiers
+        with_shifts: bool = False,
+    ) -> NDArray[np.float32]:
+        """The field at other points, (3, P, k); with shifts (3, 2 P, k).
+
+        A point in a vertex's place moves as the vertex does.
+        """
 
     def shift_room(self) -> NDArray[np.float32]:
         """Least and greatest shift of each parameter row along each axis, (P, 3, 2), in object units: as far

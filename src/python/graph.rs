@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 
 use super::arrays;
 use super::errors::IntoPyErr;
-use crate::boxdef::{self, BoxDefGraph, Parts, Symmetry};
+use crate::boxdef::{self, BoxDefGraph, DeformField, Parts, Symmetry};
 use crate::mesh::Mesh;
 
 /// A triangle mesh: vertices (n, 3) float32, triangles (m, 3) uint32 or int32; copied.
@@ -174,9 +174,29 @@ impl PyBoxDefGraph {
         arrays::from_vectors(py, &positions.map_err(IntoPyErr::into_py_err)?)
     }
 
-    fn field<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
-        let field = self.0.field();
-        PyArray1::from_slice(py, field.basis()).reshape([3, field.parameter_rows(), field.vertex_count()])
+    #[pyo3(signature = (with_shifts=false))]
+    fn field<'py>(&self, py: Python<'py>, with_shifts: bool) -> PyResult<Bound<'py, PyArray3<f32>>> {
+        if with_shifts {
+            self.planes(py, &self.0.field_with_shifts())
+        } else {
+            self.planes(py, self.0.field())
+        }
+    }
+
+    /// The field at other points (k, 3).
+    #[pyo3(signature = (points, with_shifts=false))]
+    fn field_at<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'_, PyAny>,
+        with_shifts: bool,
+    ) -> PyResult<Bound<'py, PyArray3<f32>>> {
+        let points = arrays::vectors(points, "points")?;
+        let field = py.detach(|| {
+            let own = if with_shifts { Arc::new(self.0.field_with_shifts()) } else { self.0.shared_field() };
+            self.0.field_at(&own, &points)
+        });
+        self.planes(py, &field.map_err(IntoPyErr::into_py_err)?)
     }
 
     /// Least and greatest shift of each parameter row along each axis, (P, 3, 2), in object units.
@@ -192,6 +212,20 @@ impl PyBoxDefGraph {
             self.0.box_center().len(),
             self.0.parameter_rows()
         )
+    }
+}
+
+impl PyBoxDefGraph {
+    /// The basis of a field as (3, rows, points), what is shifted by object unit.
+    fn planes<'py>(&self, py: Python<'py>, field: &DeformField) -> PyResult<Bound<'py, PyArray3<f32>>> {
+        let (rows, count) = (field.parameter_rows(), field.vertex_count());
+        let mut basis = field.basis().to_vec();
+        for axis in basis.chunks_exact_mut((rows * count).max(1)) {
+            for value in &mut axis[field.scale_rows() * count..] {
+                *value /= self.0.reach();
+            }
+        }
+        PyArray1::from_vec(py, basis).reshape([3, rows, count])
     }
 }
 

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Apply as New Object: what is seen of an outcome as the mesh of an object of its own, without shape keys."""
+
+import numpy as np
+
+from . import mesh_io, parts, shape_key
+from .errors import Refusal
+
+
+def apply_as_new(obj, name):
+    """Return a copy of `obj` whose mesh at rest is the outcome `name`, or its pieces, at their values now.
+
+    UVs, materials, groups, attributes, custom normals and modifiers are kept; other shape keys do not count.
+    """
+    blocks = obj.data.shape_keys.key_blocks
+    shown = [blocks[name], *shape_key.pieces(obj.data, name)]
+    if all(key.mute or key.value == 0.0 for key in shown):
+        raise Refusal(f"“{name}” is off, so that nothing of it is seen. Give it a value first")
+    shown = {key.name for key in shown}
+    new = obj.copy()
+    new.data = obj.data.copy()
+    new.name = new.data.name = f"{obj.name} {name}"
+    for key in new.data.shape_keys.key_blocks:
+        if key.name not in shown:
+            key.mute = True
+    new.show_only_shape_key = False
+    positions = mesh_io.key_positions(new.shape_key_add(name="Mix", from_mix=True))
+    new.shape_key_clear()
+    new.data.attributes["position"].data.foreach_set("vector", np.ascontiguousarray(positions).ravel())
+    new.data.update()
+    parts.forget(new)
+    for collection in obj.users_collection:
+        collection.objects.link(new)
+    return new
