@@ -10,7 +10,7 @@ import sys
 import bpy
 
 from . import engine, images, keyframes, parts, take_apart
-from .command_checks import DONE, named_collection, named_object, opened_file, require_writable
+from .command_checks import DONE, FAILED, named_collection, named_object, opened_file, require_writable
 from .errors import Refusal
 from .preferences import RENDERERS
 from .progress import progress_text
@@ -125,17 +125,10 @@ def _deform(options):
     search.keep(obj, bpy.context)
     for note in search.departures(obj) + search.shear():
         print(f"boxmorph: {note}.", file=sys.stderr)
-    if options.take_apart:
-        _take_apart(obj, search.name)
-    if options.keyframes is not None:
-        keyframes.keyframe_spectrum(
-            obj,
-            bpy.context,
-            obj.data.shape_keys.key_blocks[search.name],
-            *options.keyframes,
-            timing=options.timing,
-            renderer=options.renderer,
-        )
+    # The outcome is worth saving even where one of these is refused.
+    refused = [refusal for step in (_take_apart, _keyframe) for refusal in step(obj, search.name, options)]
+    for refusal in refused:
+        print(f"boxmorph: {refusal}.", file=sys.stderr)
 
     _save(output)
     _write_pictures(search, options)
@@ -145,7 +138,7 @@ def _deform(options):
             json.dump(report, file, indent=2, ensure_ascii=False)
             file.write("\n")
     print(f"boxmorph: {search.summary()}, saved in {output}", flush=True)
-    return DONE
+    return FAILED if refused else DONE
 
 
 def _lock(obj, wanted):
@@ -162,13 +155,29 @@ def _lock(obj, wanted):
         part.lock = [axis in (axes.lower() or "xyz") for axis in "xyz"]
 
 
-def _take_apart(obj, name):
-    """Take the outcome apart; where that is refused it is still worth saving."""
+def _take_apart(obj, name, options):
+    """Take the outcome apart if that is asked for; return what was refused."""
+    if not options.take_apart:
+        return []
     try:
         for piece in take_apart.take_apart(obj, bpy.context, name):
             print(f"boxmorph: made the shape key “{piece}”.")
     except Refusal as refusal:
-        print(f"boxmorph: {refusal}.", file=sys.stderr)
+        return [refusal]
+    return []
+
+
+def _keyframe(obj, name, options):
+    """Keyframe the outcome if that is asked for; return what was refused."""
+    if options.keyframes is None:
+        return []
+    key = obj.data.shape_keys.key_blocks[name]
+    choices = {"timing": options.timing, "renderer": options.renderer}
+    try:
+        keyframes.keyframe_spectrum(obj, bpy.context, key, *options.keyframes, **choices)
+    except Refusal as refusal:
+        return [refusal]
+    return []
 
 
 def _default_output(source, prompt):

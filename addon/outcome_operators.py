@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators on what a search has left: keyframe an outcome, measure its scores, remove it, take it apart, make
-it an object, show the views of the object.
+"""Operators on what a search has left: keyframe an outcome, measure its scores, take it apart, make it an
+object, remove it, show the views of the object.
 """
 
 import bpy
