@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Apply as New Object: what is seen of an outcome as the mesh of an object of its own, without shape keys."""
 
+import bpy
 import numpy as np
 
 from . import mesh_io, parts, shape_key
@@ -20,12 +21,15 @@ def apply_as_new(obj, name):
     new = obj.copy()
     new.data = obj.data.copy()
     new.name = new.data.name = f"{obj.name} {name}"
-    for key in new.data.shape_keys.key_blocks:
+    keys = new.data.shape_keys
+    for key in keys.key_blocks:
         if key.name not in shown:
             key.mute = True
     new.show_only_shape_key = False
     positions = mesh_io.key_positions(new.shape_key_add(name="Mix", from_mix=True))
     new.shape_key_clear()
+    # Blender counts a user too many of copied keys, and would save them in the file for nobody.
+    bpy.data.batch_remove([keys])
     new.data.attributes["position"].data.foreach_set("vector", np.ascontiguousarray(positions).ravel())
     new.data.update()
     parts.forget(new)

@@ -2,6 +2,7 @@
 """Take Apart, Put Together and Apply as New Object."""
 
 import json
+from unittest.mock import Mock
 
 import addon_blender as blender
 import numpy as np
@@ -297,6 +298,7 @@ def test_apply_as_new_object(make, in_pieces):
     assert new.select_get() and not obj.select_get()
     assert (blender.fingerprint(obj), blender.key_state(obj)) == (before, keys)
     assert new.data.shape_keys is None and not new.boxmorph.items
+    assert len(bpy.data.shape_keys) == 1
     positions = np.array([tuple(v.co) for v in new.data.vertices])
     assert np.abs(positions - shown).max() <= 1e-5 * size(obj)
     made = blender.fingerprint(new)
@@ -306,6 +308,21 @@ def test_apply_as_new_object(make, in_pieces):
     assert new.data.has_custom_normals
     # And it can be deformed in its turn.
     blender.deform("a sofa")
+
+
+def test_the_menu_offers_what_fits():
+    obj = plain()
+    blender.deform(PROMPT)
+
+    def offered():
+        layout = Mock()
+        context = Mock(boxmorph_outcome=keys_of(obj)[PROMPT])
+        blender.addon("panels").BOXMORPH_MT_outcome.draw(Mock(layout=layout), context)
+        return [call.args[0] for call in layout.operator.call_args_list]
+
+    assert offered() == ["boxmorph.take_apart", "boxmorph.apply_as_new"]
+    bpy.ops.boxmorph.take_apart()
+    assert offered() == ["boxmorph.put_together", "boxmorph.apply_as_new"]
 
 
 def test_what_is_not_shown_is_not_applied():
