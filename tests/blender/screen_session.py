@@ -45,10 +45,12 @@ def open_sidebar(screen):
     return x, HEIGHT - (y + height), width, height
 
 
-def find(screen, rectangle, call, start=10):
-    """Return the centre of the first button that makes `call`, scanning the sidebar downwards."""
+def find(screen, rectangle, call, start=10, from_right=None):
+    """Return the centre of the first button that makes `call`, scanning the sidebar downwards: its middle, or
+    so many pixels from its right edge.
+    """
     x, top, width, height = rectangle
-    x += width // 2 - 25
+    x += width // 2 - 25 if from_right is None else width - from_right
     hits = []
     for y in range(top + start, top + height - 10, 7):
         if screen.under(x, y).startswith(call):
@@ -122,6 +124,7 @@ def session(screen, shots):
     screen.wait(lambda: screen.ask(f"keys('{OBJECT}')").get(PROMPT) == 1.0, 20, "redo")
     report(True, "redo brings it again")
 
+    take_apart(screen, rectangle, button, shots)
     keyframe = find(
         screen, rectangle, "bpy.ops.boxmorph.keyframe_spectrum()", start=button[1] - rectangle[1] + 100
     )
@@ -154,6 +157,28 @@ def session(screen, shots):
     screen.move(*middle)
     time.sleep(1.0)
     screen.shot(shots("7-views"))
+
+
+def take_apart(screen, rectangle, button, shots):
+    """Take the outcome apart by its menu, look, and undo it."""
+    middle = (rectangle[0] // 2, HEIGHT // 2)
+    below = button[1] - rectangle[1] + 50
+    remove = find(screen, rectangle, "bpy.ops.boxmorph.remove_outcome(", start=below, from_right=62)
+    screen.click(remove[0] + 20, remove[1])
+    time.sleep(1.0)
+    screen.shot(shots("4-menu"))
+    screen.key("Down")
+    screen.key("Return")
+    pieces = f"[name for name in keys('{OBJECT}') if name.startswith('{PROMPT}: ')]"
+    screen.wait(lambda: len(screen.ask(pieces)) > 2, 20, "the pieces")
+    report(True, "the outcome's menu takes it apart")
+    screen.move(*middle)
+    time.sleep(1.0)
+    screen.shot(shots("4-taken-apart"))
+    screen.key("ctrl+z")
+    screen.wait(lambda: screen.ask(pieces) == [], 20, "undo of taking apart")
+    value = screen.ask(f"keys('{OBJECT}')").get(PROMPT)
+    report(value == 1.0, "one undo puts it together again", value)
 
 
 def interruptions(screen):
