@@ -6,7 +6,7 @@ The blend of a shape key is linear, so every frame between the keys is a valid d
 
 import numpy as np
 
-from . import score_curve
+from . import animation_curves, score_curve
 from .errors import Refusal
 from .semantic_timing import even_alphas
 
@@ -85,7 +85,7 @@ def _replace_keyframes(key, frames, alphas, interpolation):
     keys = key.id_data
     path = key.path_from_id("value")
     first, last = min(frames), max(frames)
-    curve = _curve(keys, path)
+    curve = animation_curves.curve(keys, path)
     if curve is not None:
         for point in reversed(list(curve.keyframe_points)):
             if first <= point.co.x <= last:
@@ -97,48 +97,10 @@ def _replace_keyframes(key, frames, alphas, interpolation):
             raise Refusal(
                 f"Blender refused a keyframe on “{key.name}”; its animation may be linked or locked"
             )
-    curve = _curve(keys, path)
+    curve = animation_curves.curve(keys, path)
     for point in curve.keyframe_points:
         if first <= point.co.x <= last:
             point.handle_left_type = point.handle_right_type = "AUTO_CLAMPED"
         if first <= point.co.x < last:
             point.interpolation = interpolation
     curve.update()
-
-
-def is_animated(key):
-    """Whether keyframes or a driver set the value of shape key `key`."""
-    animation = key.id_data.animation_data
-    path = key.path_from_id("value")
-    if animation is None:
-        return False
-    return _curve(key.id_data, path) is not None or animation.drivers.find(path) is not None
-
-
-def remove_curve(keys, path):
-    """Delete the animation curve of `path` on the Key data-block `keys`, if there is one."""
-    curve = _curve(keys, path)
-    if curve is not None:
-        _curves(keys).remove(curve)
-
-
-def _curve(keys, path):
-    curves = _curves(keys)
-    return None if curves is None else curves.find(path)
-
-
-def _curves(keys):
-    """Return the F-curves of a Key data-block, or None without animation: slotted actions since Blender
-    4.4.
-    """
-    animation = keys.animation_data
-    if animation is None or animation.action is None:
-        return None
-    if not hasattr(animation.action, "slots"):
-        return animation.action.fcurves
-    if animation.action_slot is None:
-        return None
-    from bpy_extras import anim_utils
-
-    bag = anim_utils.action_get_channelbag_for_slot(animation.action, animation.action_slot)
-    return None if bag is None else bag.fcurves

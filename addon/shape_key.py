@@ -11,6 +11,7 @@ import json
 
 import numpy as np
 
+from .animation_curves import remove_curve
 from .mesh_io import key_positions
 
 RECORDS = "boxmorph"
@@ -130,8 +131,6 @@ def _remove_key(obj, key):
     key.driver_remove("value")
     animation = keys.animation_data
     if animation is not None and animation.action is not None:
-        from .keyframes import remove_curve
-
         remove_curve(keys, key.path_from_id("value"))
     obj.shape_key_remove(key)
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import engine, keyframes, mesh_io, parts, shape_key
+from . import animation_curves, engine, mesh_io, parts, shape_key
 from .errors import Refusal
 
 #: What moves nothing by this share of the object's size is no key of its own.
@@ -45,7 +45,7 @@ def take_apart(obj, context, name):
     report = shape_key.records(mesh)[name]
     if shape_key.pieces(mesh, name):
         raise Refusal(f"“{name}” is taken apart already. Put it together first")
-    if keyframes.is_animated(key):
+    if animation_curves.is_animated(key):
         raise Refusal(
             f"“{name}” is animated, and would move along with its pieces. "
             "Remove its keyframes or its driver first"

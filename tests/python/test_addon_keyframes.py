@@ -104,7 +104,7 @@ def test_removing_an_outcome_removes_its_animation(key):
     bpy.ops.boxmorph.keyframe_spectrum()
     assert bpy.ops.boxmorph.remove_outcome() == {"FINISHED"}
     assert [block.name for block in keys.key_blocks] == ["Basis"]
-    assert blender.addon("keyframes")._curve(keys, 'key_blocks["it\'s a \\"stool\\""].value') is None
+    assert blender.addon("animation_curves").curve(keys, 'key_blocks["it\'s a \\"stool\\""].value') is None
     assert "boxmorph" not in keys
 
 
@@ -248,6 +248,6 @@ def test_the_command_line_takes_a_timing(tmp_path):
     assert blender.addon("command").main(arguments) == 0
     bpy.ops.wm.open_mainfile(filepath=str(output))
     keys = bpy.context.active_object.data.shape_keys
-    curve = blender.addon("keyframes")._curve(keys, 'key_blocks["a bar stool"].value')
+    curve = blender.addon("animation_curves").curve(keys, 'key_blocks["a bar stool"].value')
     assert [point.co.x for point in curve.keyframe_points] == list(range(1, 62, 6))
     assert record(keys.key_blocks["a bar stool"])["score_curve"]["alphas"][-1] == 1.0

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The animation of shape keys: curves and drivers on a Key data-block, in every version of Blender."""
+
+
+def is_animated(key):
+    """Whether keyframes or a driver set the value of shape key `key`."""
+    animation = key.id_data.animation_data
+    path = key.path_from_id("value")
+    if animation is None:
+        return False
+    return curve(key.id_data, path) is not None or animation.drivers.find(path) is not None
+
+
+def remove_curve(keys, path):
+    """Delete the animation curve of `path` on the Key data-block `keys`, if there is one."""
+    found = curve(keys, path)
+    if found is not None:
+        curves(keys).remove(found)
+
+
+def curve(keys, path):
+    """Return the animation curve of `path` on the Key data-block `keys`, or None."""
+    found = curves(keys)
+    return None if found is None else found.find(path)
+
+
+def curves(keys):
+    """Return the F-curves of a Key data-block, or None without animation: slotted actions since Blender
+    4.4.
+    """
+    animation = keys.animation_data
+    if animation is None or animation.action is None:
+        return None
+    if not hasattr(animation.action, "slots"):
+        return animation.action.fcurves
+    if animation.action_slot is None:
+        return None
+    from bpy_extras import anim_utils
+
+    bag = anim_utils.action_get_channelbag_for_slot(animation.action, animation.action_slot)
+    return None if bag is None else bag.fcurves
