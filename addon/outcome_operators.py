@@ -7,7 +7,7 @@ import bpy
 from bpy.props import FloatProperty, IntProperty, StringProperty
 
 from . import engine, images, keyframes, mesh_io, new_object, score_curve, shape_key, take_apart
-from .errors import Refusal
+from .errors import Refusal, tells_refusals
 from .preferences import preferences
 from .properties import timing
 from .redraw import redraw_panels
@@ -60,22 +60,19 @@ class BOXMORPH_OT_keyframe_spectrum(_OnOutcome, bpy.types.Operator):
         self.take_settings(context, "frame_from", "frame_to", "alpha_from", "alpha_to", "timing")
         return self.execute(context)
 
+    @tells_refusals
     def execute(self, context):
-        try:
-            obj, key = self.outcome(context)
-            keyframes.keyframe_spectrum(
-                obj,
-                context,
-                key,
-                self.frame_from,
-                self.frame_to,
-                self.alpha_from,
-                self.alpha_to,
-                self.timing,
-            )
-        except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
+        obj, key = self.outcome(context)
+        keyframes.keyframe_spectrum(
+            obj,
+            context,
+            key,
+            self.frame_from,
+            self.frame_to,
+            self.alpha_from,
+            self.alpha_to,
+            self.timing,
+        )
         context.scene.frame_set(context.scene.frame_current)
         return {"FINISHED"}
 
@@ -94,13 +91,10 @@ class BOXMORPH_OT_measure_scores(_OnOutcome, bpy.types.Operator):
         self.take_settings(context, "alpha_from", "alpha_to")
         return self.execute(context)
 
+    @tells_refusals
     def execute(self, context):
-        try:
-            obj, key = self.outcome(context)
-            curve = score_curve.measure(obj, context, key, self.alpha_from, self.alpha_to)
-        except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
+        obj, key = self.outcome(context)
+        curve = score_curve.measure(obj, context, key, self.alpha_from, self.alpha_to)
         score_curve.keep(obj, key, curve)
         redraw_panels()
         return {"FINISHED"}
@@ -113,13 +107,10 @@ class BOXMORPH_OT_remove_outcome(_OnOutcome, bpy.types.Operator):
     bl_label = "Remove Outcome"
     bl_options = {"REGISTER", "UNDO"}
 
+    @tells_refusals
     def execute(self, context):
-        try:
-            obj, key = self.outcome(context)
-            shape_key.remove_outcome(obj, key.name)
-        except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
+        obj, key = self.outcome(context)
+        shape_key.remove_outcome(obj, key.name)
         return {"FINISHED"}
 
 
@@ -132,13 +123,10 @@ class BOXMORPH_OT_take_apart(_OnOutcome, bpy.types.Operator):
     bl_label = "Take Apart"
     bl_options = {"REGISTER", "UNDO"}
 
+    @tells_refusals
     def execute(self, context):
-        try:
-            obj, key = self.outcome(context)
-            made = take_apart.take_apart(obj, context, key.name)
-        except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
+        obj, key = self.outcome(context)
+        made = take_apart.take_apart(obj, context, key.name)
         self.report({"INFO"}, f"“{key.name}” is now {len(made)} shape keys")
         return {"FINISHED"}
 
@@ -150,13 +138,10 @@ class BOXMORPH_OT_put_together(_OnOutcome, bpy.types.Operator):
     bl_label = "Put Together"
     bl_options = {"REGISTER", "UNDO"}
 
+    @tells_refusals
     def execute(self, context):
-        try:
-            obj, key = self.outcome(context)
-            missing = take_apart.put_together(obj, key.name)
-        except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
+        obj, key = self.outcome(context)
+        missing = take_apart.put_together(obj, key.name)
         if missing:
             self.report(
                 {"WARNING"}, f"{missing} of its shape keys, deleted or renamed, were left as they are"
@@ -173,13 +158,10 @@ class BOXMORPH_OT_apply_as_new(_OnOutcome, bpy.types.Operator):
     bl_label = "Apply as New Object"
     bl_options = {"REGISTER", "UNDO"}
 
+    @tells_refusals
     def execute(self, context):
-        try:
-            obj, key = self.outcome(context)
-            new = new_object.apply_as_new(obj, key.name)
-        except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
+        obj, key = self.outcome(context)
+        new = new_object.apply_as_new(obj, key.name)
         context.view_layer.update()
         if new.name in context.view_layer.objects:
             for other in context.view_layer.objects:
@@ -198,20 +180,17 @@ class BOXMORPH_OT_show_views(bpy.types.Operator):
     bl_label = "Show Views"
     bl_options = {"REGISTER"}
 
+    @tells_refusals
     def execute(self, context):
+        obj = context.active_object
+        if obj is None or obj.type != "MESH":
+            raise Refusal("There is no active mesh object to view. Select one")
+        boxmorph = engine.library()
+        vertices, triangles = mesh_io.shown_arrays(obj, context)
         try:
-            obj = context.active_object
-            if obj is None or obj.type != "MESH":
-                raise Refusal("There is no active mesh object to view. Select one")
-            boxmorph = engine.library()
-            vertices, triangles = mesh_io.shown_arrays(obj, context)
-            try:
-                row = images.render_row(boxmorph, vertices, triangles, renderer=preferences().renderer)
-            except (boxmorph.RenderError, ValueError) as error:
-                raise Refusal(engine.sentence(error)) from error
-        except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
+            row = images.render_row(boxmorph, vertices, triangles, renderer=preferences().renderer)
+        except (boxmorph.RenderError, ValueError) as error:
+            raise Refusal(engine.sentence(error)) from error
         half = row.shape[1] // 2
         image = images.show(images.stack([row[:, :half], row[:, half:]]))
         for window in context.window_manager.windows:

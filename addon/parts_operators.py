@@ -5,7 +5,7 @@ import bpy
 from bpy.props import IntProperty
 
 from . import parts, refine
-from .errors import Refusal
+from .errors import tells_refusals
 from .redraw import redraw_viewports
 
 
@@ -16,15 +16,12 @@ class BOXMORPH_OT_find_parts(bpy.types.Operator):
     bl_label = "Find Parts"
     bl_options = {"REGISTER", "UNDO"}
 
+    @tells_refusals
     def execute(self, context):
         settings = context.scene.boxmorph
-        try:
-            parts.find(
-                context.active_object, context, settings.splits, settings.symmetry, settings.parts_collection
-            )
-        except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
+        parts.find(
+            context.active_object, context, settings.splits, settings.symmetry, settings.parts_collection
+        )
         settings.show_parts = True
         return {"FINISHED"}
 
@@ -66,15 +63,12 @@ class BOXMORPH_OT_refine(bpy.types.Operator):
     bl_label = "Refine at Part Boundaries"
     bl_options = {"REGISTER", "UNDO"}
 
+    @tells_refusals
     def execute(self, context):
         obj = context.active_object
         settings = context.scene.boxmorph
-        try:
-            added = refine.refine(obj)
-            parts.find(obj, context, settings.splits, settings.symmetry, settings.parts_collection)
-        except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
+        added = refine.refine(obj)
+        parts.find(obj, context, settings.splits, settings.symmetry, settings.parts_collection)
         self.report(
             {"INFO"}, f"{added} faces added" if added else "No face spans a boundary; nothing was cut"
         )
