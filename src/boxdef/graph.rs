@@ -194,7 +194,8 @@ impl BoxDefGraph {
         &self.layout.parts
     }
 
-    /// Number of parameter rows, P: mid and pos boxes; a neg box shares its twin's.
+    /// Number of parameter rows, P: mid and pos boxes; a neg box shares that of the pos box it
+    /// mirrors.
     #[must_use]
     pub fn parameter_rows(&self) -> usize {
         self.field.scale_rows()

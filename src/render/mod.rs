@@ -61,7 +61,7 @@ pub trait Renderer: Send {
     /// What draws, for the report: `cpu`, or `gpu:` with the adapter's name and interface.
     fn backend_name(&self) -> String;
 
-    /// Renders `candidates`, each P rows of scale factors (1 = unchanged), into `out`.
+    /// Renders `candidates`, each the factors of its field ([`DeformField`]), into `out`.
     ///
     /// `out` becomes RGBA8 with straight alpha: candidates × views × size × size × 4, rows from the top. On an
     /// error its content is unspecified.

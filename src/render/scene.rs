@@ -52,7 +52,7 @@ impl Scene {
         self.views.len() * self.size as usize * self.size as usize * 4
     }
 
-    /// Whether each candidate has a row of scale factors per parameter row.
+    /// Whether each candidate has a row of factors per parameter row.
     pub fn check(&self, candidates: &[Vec<Vec3>]) -> Result<(), RenderError> {
         let expected = self.field.parameter_rows();
         match candidates.iter().enumerate().find(|(_, scales)| scales.len() != expected) {

@@ -137,6 +137,18 @@ def session(screen, shots):
     report(0.4 < value < 0.6, "half-way, the slider is half-way", value)
     screen.shot(shots("5-keyframed"))
 
+    below = keyframe[1] - rectangle[1] - 50
+    scores = find(screen, rectangle, "bpy.ops.boxmorph.measure_scores(", start=below, from_right=42)
+    screen.click(*scores)
+    curve = "'score_curve' in bpy.data.shape_keys[0]['boxmorph']"
+    screen.wait(lambda: screen.ask(curve), 30, "the curve of scores")
+    report(True, "a click draws the scores along the slider")
+    screen.move(*middle)
+    time.sleep(1.0)
+    screen.shot(shots("5-scores"))
+    # The curve takes a row of its own.
+    keyframe = find(screen, rectangle, "bpy.ops.boxmorph.keyframe_spectrum()", start=below)
+
     parts_header, views_header = keyframe[1] + 30, keyframe[1] + 57
     screen.click(keyframe[0], parts_header)
     parts = find(screen, rectangle, "bpy.ops.boxmorph.find_parts(", start=parts_header - rectangle[1])
