@@ -8,6 +8,7 @@ import bpy
 
 from . import (
     command,
+    mix_operators,
     outcome_operators,
     panels,
     parts,
@@ -24,6 +25,7 @@ _classes = (
     + properties.classes
     + search_operators.classes
     + outcome_operators.classes
+    + mix_operators.classes
     + parts_operators.classes
     + panels.classes
 )
