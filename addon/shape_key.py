@@ -49,7 +49,9 @@ def records(mesh):
     keys = mesh.shape_keys
     stored = _stored(keys)
     renamed = _renamed(keys, stored)
-    present = ((renamed.get(name, name), report) for name, report in stored.items())
+    # A key that was given the name of a deleted one brings its own record.
+    kept = {name: report for name, report in stored.items() if name not in renamed.values()}
+    present = ((renamed.get(name, name), report) for name, report in kept.items())
     return {name: report for name, report in present if name in keys.key_blocks}
 
 
@@ -70,16 +72,18 @@ def _stored(keys):
 
 def _renamed(keys, stored):
     """Return the new names, by the old, of keys that were renamed since they were stored: a record whose key
-    is gone belongs to the one key, known to no record, that holds its positions.
+    is gone belongs to the one key that holds its positions, unless that has a record that fits it too.
     """
     gone = [name for name in stored if name not in keys.key_blocks]
     if not gone:
         return {}
-    known = {*stored, keys.reference_key.name}.union(*(report.get(PIECES, ()) for report in stored.values()))
+    others = {keys.reference_key.name}.union(*(report.get(PIECES, ()) for report in stored.values()))
     strangers = {}
     for key in keys.key_blocks:
-        if key.name not in known:
-            strangers.setdefault(_fingerprint(key), []).append(key.name)
+        if key.name not in others:
+            fingerprint = _fingerprint(key)
+            if stored.get(key.name, {}).get(_FINGERPRINT) != fingerprint:
+                strangers.setdefault(fingerprint, []).append(key.name)
     found = {name: strangers.get(stored[name].get(_FINGERPRINT), ()) for name in gone}
     return {name: names[0] for name, names in found.items() if len(names) == 1}
 

@@ -166,6 +166,14 @@ def test_of_several_outcomes_each_record_follows_its_key(obj):
     }
 
 
+def test_a_key_renamed_to_the_name_of_a_deleted_one_keeps_its_own_record(obj):
+    blender.deform("a sofa")
+    obj.active_shape_key_index = 1
+    bpy.ops.object.shape_key_remove()
+    key_of(obj, "a sofa").name = PROMPT
+    assert {name: report["prompt"] for name, report in records(obj).items()} == {PROMPT: "a sofa"}
+
+
 def control():
     assert bpy.ops.boxmorph.add_control() == {"FINISHED"}
 

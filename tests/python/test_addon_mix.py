@@ -108,15 +108,15 @@ def test_a_mix_is_what_the_field_makes_of_the_mixed_factors(obj, weights):
     assert np.abs(seen - arrays.vertices).max() > 1e-2 * size
 
 
+def thin(stored):
+    """Let all outcomes make one and the same part thin."""
+    for name in PROMPTS:
+        stored[name]["gauge_scale"] = 1.0
+        stored[name]["scales"] = np.ones_like(stored[name]["scales"]).tolist()
+        stored[name]["scales"][0][0] = 0.4
+
+
 def test_what_takes_too_much_together_is_said_and_brought_into_range(obj):
-    """All three make the same part nearly as thin as may be, one after another by half."""
-
-    def thin(stored):
-        for name in PROMPTS:
-            stored[name]["gauge_scale"] = 1.0
-            stored[name]["scales"] = np.ones_like(stored[name]["scales"]).tolist()
-            stored[name]["scales"][0][0] = 0.4
-
     rewrite(obj, thin)
     set_values(obj, 1.0, 0.0, 0.0)
     assert room(obj) is None
@@ -236,24 +236,45 @@ def test_a_driven_pose_is_not_keyed(obj):
     assert obj.data.shape_keys.animation_data.action is None
 
 
+def test_outcomes_without_a_record_of_their_parts_keep_to_their_sliders(obj):
+    rewrite(obj, lambda stored: [stored[name].pop("scales") for name in PROMPTS])
+    set_values(obj, 1.0, 1.0, 1.0)
+    assert room(obj) is None
+    bpy.ops.boxmorph.mix_outcomes(amount=10.0)
+    assert values(obj) == pytest.approx([min(key.slider_max for key in outcomes(obj))] * 3)
+
+
 def test_pieces_stay_and_count(obj):
     set_values(obj, 1.0, 0.0, 0.0)
     bpy.ops.boxmorph.take_apart(key="a bar stool")
     pieces = blender.addon("shape_key").pieces(obj.data, "a bar stool")
-    whole = blender.addon("mix")
-    for value in (1.0, 0.5):
-        for piece in pieces:
-            piece.value = value
-        # Pieces that are all at one value are the outcome at that value.
-        report = records(obj)["a bar stool"]
-        share = next(s for s in whole._shares(obj) if s.name == "a bar stool")
-        expected = value * (report["gauge_scale"] * np.array(report["scales"]) - 1.0)
-        np.testing.assert_allclose(share.now, expected, atol=1e-6)
-    before = [piece.value for piece in pieces]
+    rewrite(obj, thin)
+
+    def set_pieces(*of_pieces):
+        for piece, value in zip(pieces, of_pieces * len(pieces), strict=False):
+            piece.slider_max, piece.value = 4.0, value
+
+    # Pieces that are all at one value are the outcome at that value.
+    set_pieces(0.7)
+    set_values(obj, 0.0, 0.8, 0.0)
+    assert room(obj) is None
+    set_pieces(0.8)
+    set_values(obj, 0.0, 0.9, 0.0)
+    assert room(obj) is not None
+    # Of those at several values, the one that takes most away.
+    set_pieces(0.1, 0.8)
+    assert room(obj) is not None
+
     set_values(obj, 0.0, 1.0, 1.0)
+    before = [piece.value for piece in pieces]
     bpy.ops.boxmorph.mix_outcomes()
     assert [piece.value for piece in pieces] == before
-    assert values(obj) == pytest.approx([0.0, 0.5, 0.5])
+    assert values(obj) == pytest.approx([0.0, 0.47 / 1.2, 0.47 / 1.2])
+    assert room(obj) is None
     bpy.ops.boxmorph.keyframe_mix()
     paths = {curve.data_path for curve in blender.addon("animation_curves").curves(obj.data.shape_keys)}
-    assert {piece.path_from_id("value") for piece in pieces} <= paths
+    assert {key.path_from_id("value") for key in (*pieces, *outcomes(obj))} == paths
+
+    set_pieces(1.6)
+    refused("pieces of “a bar stool” already make a part thinner")
+    assert values(obj) == pytest.approx([0.0, 0.47 / 1.2, 0.47 / 1.2])
