@@ -23,7 +23,7 @@ pub use spectrum_scores::spectrum_scores;
 use crate::boxdef::{Boundary, BoxDefGraph, Symmetry};
 use crate::guide::Guide;
 use crate::mesh::Mesh;
-use crate::render::Backend;
+use crate::render::{Backend, RenderError};
 use crate::search::{KeepPlace, KeepSize, Preset, SearchSpace};
 use progress::Harness;
 
@@ -143,6 +143,12 @@ impl Job {
     #[must_use]
     pub fn best(&self) -> Option<(f64, Vec<Vec3>)> {
         self.harness.best().map(|best| (best.score, best.positions(&self.spec)))
+    }
+
+    /// A picture of the best candidate so far from the front right, once there is one: RGBA8 with straight alpha,
+    /// size × size × 4, rows from the top. `size` is 8 to 2048.
+    pub fn best_view(&self, size: u32) -> Result<Option<Vec<u8>>, RenderError> {
+        self.harness.best().map(|best| best.view(size)).transpose()
     }
 
     /// Asks the work to stop; it does within one generation.
