@@ -8,13 +8,16 @@ import bpy
 
 from . import (
     command,
+    history,
     outcome_operators,
+    outcome_panel,
     panels,
     parts,
     parts_operators,
     parts_view,
     preferences,
     properties,
+    running,
     search_operators,
 )
 
@@ -22,9 +25,12 @@ _classes = (
     preferences.classes
     + parts.classes
     + properties.classes
+    + history.classes
     + search_operators.classes
     + outcome_operators.classes
     + parts_operators.classes
+    + panels.main_classes
+    + outcome_panel.classes
     + panels.classes
 )
 _commands = []
@@ -40,7 +46,7 @@ def register():
 
 
 def unregister():
-    search_operators.stop_running()
+    running.stop_running()
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())
     parts_view.unregister_view()

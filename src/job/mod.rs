@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! A deformation job: mesh and prompt in, outcome out, on a thread of its own.
 
+mod background;
 mod error;
 mod outcome;
 mod progress;
@@ -122,7 +123,8 @@ impl Job {
         let (spec, harness, outcome) = (self.spec.clone(), self.harness.clone(), self.outcome.clone());
         harness.start();
         let work = move || {
-            let result = catch_unwind(AssertUnwindSafe(|| run::run(&spec, &harness)));
+            let run = || background::in_background(|| run::run(&spec, &harness));
+            let result = catch_unwind(AssertUnwindSafe(run));
             let result = result.unwrap_or_else(|panic| Err(JobError::from_panic(panic.as_ref())));
             *lock(&outcome) = Some(result.map(Arc::new));
             harness.finish();
