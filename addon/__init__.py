@@ -8,14 +8,17 @@ import bpy
 
 from . import (
     command,
+    history,
     mix_operators,
     outcome_operators,
+    outcome_panel,
     panels,
     parts,
     parts_operators,
     parts_view,
     preferences,
     properties,
+    running,
     search_operators,
 )
 
@@ -23,10 +26,13 @@ _classes = (
     preferences.classes
     + parts.classes
     + properties.classes
+    + history.classes
     + search_operators.classes
     + outcome_operators.classes
     + mix_operators.classes
     + parts_operators.classes
+    + panels.main_classes
+    + outcome_panel.classes
     + panels.classes
 )
 _commands = []
@@ -42,7 +48,7 @@ def register():
 
 
 def unregister():
-    search_operators.stop_running()
+    running.stop_running()
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())
     parts_view.unregister_view()

@@ -10,7 +10,7 @@ from contextlib import suppress
 
 import numpy as np
 
-from . import control, engine, mesh_io, modifiers, parts, spanning
+from . import control, engine, mesh_io, modifiers, parts, progress_pictures, spanning
 from .errors import Refusal
 from .preferences import preferences
 from .shape_key import Trial
@@ -127,6 +127,15 @@ class Search:
             return
         self._shown_score, positions = best
         self._trial.write(obj, self.arrays.to_object(positions))
+
+    def hide(self, obj):
+        """Take the preview back for now; the next one shows again what is best."""
+        self._trial.take_back(obj)
+        self._shown_score = None
+
+    def best_view(self):
+        """Return a picture of the best so far, (SIZE, SIZE, 4) uint8, first row on top. There must be one."""
+        return self._job.best_view(progress_pictures.SIZE)
 
     def keep(self, obj, context):
         """Make the finished search's result the outcome shape key of `obj`. Raises Refusal if it failed."""

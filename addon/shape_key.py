@@ -213,7 +213,7 @@ class Trial:
         self.previous = None
         self.others = {}
         self.name = None
-        self._restored = False
+        self._shown = False
         self._wanted = key_name(prompt)
         if keys is None:
             return
@@ -233,7 +233,7 @@ class Trial:
         """Put `positions`, (n,3) float32, into the key, making it if need be, and show it at value 1."""
         mesh = obj.data
         key = self.key(obj)
-        if key is None:
+        if key is None or not self._shown:
             key = self._create(obj)
         key.points.foreach_set("co", np.ascontiguousarray(positions, np.float32).ravel())
         mesh.update()
@@ -257,15 +257,15 @@ class Trial:
     def take_back(self, obj):
         """Restore the keys of `obj` as they were before the trial; return whether there was something to do.
 
-        Calling it again takes back a key that undo has brought again.
+        Calling it again takes back a key that undo has brought again; writing again shows it again.
         """
         keys = obj.data.shape_keys
         key = self.key(obj)
-        if key is None or self._restored:
+        if key is None or (self.previous is not None and not self._shown):
             return False
+        self._shown = False
         if self.previous is not None:
             self.previous.restore(key)
-            self._restored = True
         elif not self.had_keys and len(keys.key_blocks) == 2:
             obj.shape_key_clear()
         else:
@@ -300,6 +300,7 @@ class Trial:
         key.mute = False
         key.slider_min, key.slider_max = min(key.slider_min, 0.0), max(key.slider_max, 1.0)
         self.name = key.name
+        self._shown = True
         # Outcomes are alternatives: one that stayed at 1 would add up with this one.
         for name in self.others:
             if name in blocks:
