@@ -5,7 +5,7 @@ else can be done with it, and its keyframes.
 
 import bpy
 
-from . import running, score_curve, shape_key
+from . import animation_curves, mix, running, score_curve, shape_key
 from .sidebar import Sidebar
 
 
@@ -54,6 +54,7 @@ class BOXMORPH_PT_outcomes(Sidebar, bpy.types.Panel):
                 maxrows=rows,
                 sort_lock=True,
             )
+            _draw_mix(layout, obj)
         row = layout.row(align=True)
         row.prop(key, "value", text=name, slider=True)
         row.prop_decorator(key, "value")
@@ -62,6 +63,17 @@ class BOXMORPH_PT_outcomes(Sidebar, bpy.types.Panel):
         _draw_ends(layout, key, report)
         _draw_pieces(layout, key)
         _draw_keyframes(layout, context.scene.boxmorph)
+
+
+def _draw_mix(layout, obj):
+    """Draw what is done with several outcomes, and whether they are too much together."""
+    row = layout.row(align=True)
+    row.operator("boxmorph.mix_outcomes", icon="ARROW_LEFTRIGHT")
+    row.operator("boxmorph.keyframe_mix", text="", icon="KEYINGSET")
+    if mix.room(obj) is not None:
+        row = layout.row()
+        row.alert = True
+        row.label(text="Together, a part gets too thin", icon="ERROR")
 
 
 def _draw_ends(layout, key, report):
@@ -115,10 +127,16 @@ class BOXMORPH_MT_outcome(bpy.types.Menu):
     def draw(self, context):
         layout = self.layout
         key = context.boxmorph_outcome
+        layout.operator("boxmorph.search_again", icon="FILE_REFRESH").key = key.name
+        layout.separator()
         apart = shape_key.is_apart(key.id_data.user, key.name)
         kind = "put_together" if apart else "take_apart"
         layout.operator(f"boxmorph.{kind}", icon="MOD_BUILD").key = key.name
+        row = layout.row()
+        row.enabled = not animation_curves.is_animated(key)
+        row.operator("boxmorph.add_control", icon="DRIVER").key = key.name
         layout.operator("boxmorph.apply_as_new", icon="DUPLICATE").key = key.name
+        layout.operator("boxmorph.evaluate", icon="INFO").key = key.name
         layout.separator()
         layout.operator("boxmorph.remove_outcome", icon="X").key = key.name
 
