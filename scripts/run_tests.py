@@ -2,7 +2,8 @@
 """Runs every ring of tests and ends in their counts.
 
 Ring 1: cargo. Ring 2: pytest on the built wheel, then the extension in bpy 4.2, 4.5 and 5.0.
-Ring 3: the built zip in real Blender, in a chroot: headless, from a repository, and by a real click on a virtual screen.
+Ring 3: the built zip in real Blender, in a chroot: headless, out of an extensions repository, and by a real
+click on a virtual screen.
 What a machine cannot provide is left out, by name, at the end.
 """
 
