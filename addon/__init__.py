@@ -22,7 +22,6 @@ _classes = (
     preferences.classes
     + parts.classes
     + properties.classes
-    + search_operators.classes
     + outcome_operators.classes
     + parts_operators.classes
     + panels.classes
@@ -33,6 +32,7 @@ _commands = []
 def register():
     for cls in _classes:
         bpy.utils.register_class(cls)
+    search_operators.register_operators()
     parts.register_object()
     properties.register_scene()
     parts_view.register_view()
@@ -40,7 +40,7 @@ def register():
 
 
 def unregister():
-    search_operators.stop_running()
+    search_operators.unregister_operators()
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())
     parts_view.unregister_view()

@@ -35,16 +35,47 @@ def running_progress():
     return None if _Running.search is None else _Running.search.progress
 
 
-def stop_running():
-    """End a running search, wait for it and take its preview back; for unregister()."""
+def register_operators():
+    """Register the operators."""
+    for cls in classes:
+        bpy.utils.register_class(cls)
+
+
+def unregister_operators():
+    """Unregister the operators, and end a running search.
+
+    The operator of a running search stays until Blender has let go of it: Blender 4.3 crashes when the class
+    of a running operator goes and the same event starts another, as an update of extensions does.
+    """
+    ran = _stop_running()
+    for cls in reversed(classes):
+        if not (ran and cls is BOXMORPH_OT_deform):
+            bpy.utils.unregister_class(cls)
+    if ran:
+        bpy.app.timers.register(_unregister_when_ended, first_interval=_TICK_SECONDS)
+
+
+def _stop_running():
+    """End a running search, wait for it and take its preview back; return whether there was one."""
     search = _Running.search
     if search is None:
-        return
+        return False
     search.cancel(wait=True)
     obj = search.find_object()
     if obj is not None:
         search.take_back(obj)
     _clear()
+    return True
+
+
+def _unregister_when_ended():
+    """Called by a timer: unregister the operator, unless it runs or a newer one has taken its place."""
+    windows = bpy.context.window_manager.windows
+    if any(o.bl_idname == "BOXMORPH_OT_deform" for window in windows for o in window.modal_operators):
+        return _TICK_SECONDS
+    if BOXMORPH_OT_deform.is_registered:
+        bpy.utils.unregister_class(BOXMORPH_OT_deform)
+    return None
 
 
 class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):

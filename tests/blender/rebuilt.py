@@ -7,6 +7,9 @@ import io
 import re
 import zipfile
 
+#: A version later than any.
+NEWER = "99.0.0"
+
 
 def rebuilt_zip(zip_path, folder, version):
     """Write the extension of `zip_path` as `version` into `folder`, with a wheel of that version and other

@@ -15,10 +15,9 @@ import sys
 import threading
 
 from chroots import ROOT, run_everywhere
-from rebuilt import rebuilt_zip
+from rebuilt import NEWER, rebuilt_zip
 
 REPOSITORY = "boxmorph_test"
-NEWER = "0.99.0"
 
 #: Prints what the extension and its compiled module are, and how a search ends, as JSON.
 _LOOK = """
@@ -49,7 +48,7 @@ def check_suite(bench, counts):
     """Build, serve, install, update; then the cases that go wrong elsewhere."""
     bench.make_chair()
     folder = bench.outside / "repository"
-    original = bench.outside / bench.zip.rpartition("/")[2]
+    original = bench.outside_zip
     newer = rebuilt_zip(original, bench.outside / "newer", NEWER)
     version = original.name.split("-")[1]
     publish(original, folder)
