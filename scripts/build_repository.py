@@ -42,9 +42,10 @@ td, th {{ text-align: left; padding: 0 1.5em .3em 0 }}</style>
 </head>
 <body>
 <h1>Boxmorph for Blender</h1>
-<p>Drag the link for your system into Blender: it offers to add this repository, then to install Boxmorph, and
-tells of updates. Or add the repository by hand (Preferences, Get Extensions, Repositories, Add Remote
-Repository), with the address of <a href="index.json">index.json</a>.</p>
+<p>Drag the link for your system into Blender. The first time it offers to add this repository; the second
+time, to install Boxmorph. From then on Blender tells of newer versions. Or add the repository by hand:
+Preferences, Get Extensions, Repositories, Add Remote Repository, with the address of
+<a href="index.json">index.json</a>.</p>
 <table>
 <tr><th>Version</th><th>System</th><th>Blender</th><th>Size</th></tr>
 {rows}
