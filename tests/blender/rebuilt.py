@@ -30,6 +30,18 @@ def rebuilt_zip(zip_path, folder, version):
     return path
 
 
+def other_platform(zip_path, folder, platform):
+    """Write the extension of `zip_path` as if it were for another platform into `folder`; return its path."""
+    with zipfile.ZipFile(zip_path) as archive:
+        files = {name: archive.read(name) for name in archive.namelist()}
+    manifest = files["blender_manifest.toml"].decode()
+    files["blender_manifest.toml"] = manifest.replace('"linux-x64"', f'"{platform}"').encode()
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / zip_path.name.replace("linux_x64", platform.replace("-", "_"))
+    _write(path, files)
+    return path
+
+
 def _rebuilt_wheel(wheel, old, version):
     """Return a wheel's bytes as another version's: its names, its metadata, its record, and `__version__`."""
     with zipfile.ZipFile(io.BytesIO(wheel)) as archive:

@@ -15,7 +15,7 @@ import sys
 import threading
 
 from chroots import ROOT, run_everywhere
-from rebuilt import NEWER, rebuilt_zip
+from rebuilt import NEWER, other_platform, rebuilt_zip
 
 REPOSITORY = "boxmorph_test"
 
@@ -51,8 +51,9 @@ def check_suite(bench, counts):
     original = bench.outside_zip
     newer = rebuilt_zip(original, bench.outside / "newer", NEWER)
     version = original.name.split("-")[1]
+    windows = other_platform(original, bench.outside / "windows", "windows-x64")
+    check_index(bench, [original, newer, windows], counts)
     publish(original, folder)
-    check_index(bench, folder, counts)
     with served(folder) as url:
         check_update(bench, counts, url, lambda: publish(newer, folder), version)
     check_other_build(bench, counts, original, folder, version)
@@ -81,17 +82,27 @@ def served(folder):
         server.shutdown()
 
 
-def check_index(bench, folder, counts):
-    """Our list is the one that Blender would write."""
-    ours = json.loads((folder / "index.json").read_text(encoding="utf-8"))
-    theirs_folder = bench.outside / "theirs"
+def check_index(bench, zips, counts):
+    """Our list of several zips is the one that Blender would write."""
+    folder, theirs_folder = bench.outside / "several", bench.outside / "theirs"
+    for path in zips:
+        publish(path, folder)
     theirs_folder.mkdir()
     for path in folder.glob("*.zip"):
         shutil.copy(path, theirs_folder)
-    extension = ("blender", "--command", "extension")
-    run = bench.run(*extension, "server-generate", "--repo-dir", f"{bench.inside}/theirs")
-    theirs = json.loads((theirs_folder / "index.json").read_text(encoding="utf-8"))
-    counts.check(ours == theirs, "index.json is what Blender itself would write", f"{ours}\n{theirs}\n{run}")
+    run = bench.run(
+        *("blender", "--command", "extension", "server-generate", "--repo-dir", f"{bench.inside}/theirs")
+    )
+    ours, theirs = (
+        json.loads((place / "index.json").read_text(encoding="utf-8")) for place in (folder, theirs_folder)
+    )
+    for index in (ours, theirs):
+        index["data"].sort(key=lambda item: item["archive_url"])
+    counts.check(
+        ours == theirs and len(ours["data"]) == 2,
+        "index.json is what Blender itself would write",
+        f"{ours}\n{theirs}\n{run}",
+    )
 
 
 def extension(bench, *arguments):
