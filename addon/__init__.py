@@ -8,7 +8,10 @@ import bpy
 
 from . import (
     command,
+    history,
+    mix_operators,
     outcome_operators,
+    outcome_panel,
     panels,
     parts,
     parts_operators,
@@ -22,8 +25,12 @@ _classes = (
     preferences.classes
     + parts.classes
     + properties.classes
+    + history.classes
     + outcome_operators.classes
+    + mix_operators.classes
     + parts_operators.classes
+    + panels.main_classes
+    + outcome_panel.classes
     + panels.classes
 )
 _commands = []

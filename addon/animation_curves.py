@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The animation of shape keys: curves and drivers on a Key data-block, in every version of Blender."""
+"""The animation of shape keys: curves and drivers on a Key data-block, in every version of Blender.
+
+Curves of other data-blocks, such as objects, are found and deleted the same way.
+"""
 
 
 def is_animated(key):
     """Whether keyframes or a driver set the value of shape key `key`."""
+    return curve(key.id_data, key.path_from_id("value")) is not None or driver(key) is not None
+
+
+def driver(key):
+    """Return the driver's curve of the value of shape key `key`, or None."""
     animation = key.id_data.animation_data
-    path = key.path_from_id("value")
-    if animation is None:
-        return False
-    return curve(key.id_data, path) is not None or animation.drivers.find(path) is not None
+    return None if animation is None else animation.drivers.find(key.path_from_id("value"))
 
 
 def remove_curve(keys, path):

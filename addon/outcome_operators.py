@@ -1,16 +1,37 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators on what a search has left: keyframe an outcome, measure its scores, take it apart, make it an
-object, remove it, show the views of the object.
+"""Operators on what a search has left: keyframe an outcome, give it a control, measure its scores, evaluate
+it, search it again, take it apart, make it an object, remove it, show the views of the object.
 """
 
 import bpy
 from bpy.props import FloatProperty, IntProperty, StringProperty
 
-from . import engine, images, keyframes, mesh_io, new_object, score_curve, shape_key, take_apart
+from . import (
+    again,
+    control,
+    engine,
+    evaluation,
+    images,
+    keyframes,
+    mesh_io,
+    new_object,
+    score_curve,
+    shape_key,
+    take_apart,
+)
 from .errors import Refusal, tells_refusals
 from .preferences import preferences
 from .properties import timing
 from .redraw import redraw_panels
+
+
+def has_outcome(operator, context):
+    """Whether the active object has an outcome; if not, `operator`, a class, tells so where it is offered."""
+    obj = context.active_object
+    if obj is None or obj.type != "MESH" or not shape_key.records(obj.data):
+        operator.poll_message_set("The active object has no outcome yet. Deform it to a prompt first")
+        return False
+    return True
 
 
 class _OnOutcome:
@@ -22,11 +43,7 @@ class _OnOutcome:
 
     @classmethod
     def poll(cls, context):
-        obj = context.active_object
-        if obj is None or obj.type != "MESH" or not shape_key.records(obj.data):
-            cls.poll_message_set("The active object has no outcome yet. Deform it to a prompt first")
-            return False
-        return True
+        return has_outcome(cls, context)
 
     def outcome(self, context):
         """Return the active object, checked, and the key that is meant."""
@@ -100,8 +117,81 @@ class BOXMORPH_OT_measure_scores(_OnOutcome, bpy.types.Operator):
         return {"FINISHED"}
 
 
+class BOXMORPH_OT_evaluate(_OnOutcome, bpy.types.Operator):
+    """Judge the outcome by numbers: how alike it is to its prompt, how many faces cross others, how far
+    curvature and shading changed
+    """
+
+    bl_idname = "boxmorph.evaluate"
+    bl_label = "Evaluate"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def invoke(self, context, _event):
+        done = self.execute(context)
+        if done == {"FINISHED"} and not bpy.app.background:
+            _obj, key = self.outcome(context)
+            context.window_manager.popup_menu(
+                lambda menu, _context: [menu.layout.label(text=line) for line in self.lines],
+                title=key.name,
+                icon="INFO",
+            )
+        return done
+
+    @tells_refusals
+    def execute(self, context):
+        obj, key = self.outcome(context)
+        evaluated = evaluation.evaluate(obj, context, key)
+        evaluation.keep(obj, key, evaluated)
+        self.lines = evaluation.lines(evaluated)
+        self.report({"INFO"}, f"“{key.name}”: {'; '.join(self.lines)}")
+        redraw_panels()
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_search_again(_OnOutcome, bpy.types.Operator):
+    """Search again with the outcome's own prompt and settings and the next seed. What is found takes its
+    place
+    """
+
+    bl_idname = "boxmorph.search_again"
+    bl_label = "Again with Another Seed"
+    # The search makes its own undo step when it ends.
+    bl_options = set()
+
+    @tells_refusals
+    def execute(self, context):
+        obj, key = self.outcome(context)
+        settings = again.settings_of(shape_key.records(obj.data)[key.name])
+        settings["seed"] = again.next_seed(settings["seed"])
+        try:
+            done = bpy.ops.boxmorph.deform("INVOKE_DEFAULT", **settings)
+        except RuntimeError as error:
+            raise Refusal(str(error).strip().removeprefix("Error: ")) from error
+        # A search that goes on beside the user's work is an operator of its own by now.
+        return {"FINISHED"} if "RUNNING_MODAL" in done else done
+
+
+class BOXMORPH_OT_add_control(_OnOutcome, bpy.types.Operator):
+    """Make a custom property of the object that drives the outcome: a slider that can be keyed, driven by
+    bones, or read by other drivers
+    """
+
+    bl_idname = "boxmorph.add_control"
+    bl_label = "Add Driver Control"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @tells_refusals
+    def execute(self, context):
+        obj, key = self.outcome(context)
+        name = control.add(obj, key)
+        self.report({"INFO"}, f"“{key.name}” follows the custom property “{name}” of “{obj.name}”")
+        return {"FINISHED"}
+
+
 class BOXMORPH_OT_remove_outcome(_OnOutcome, bpy.types.Operator):
-    """Delete the outcome: its shape key, those it was taken apart into, its record and its animation"""
+    """Delete the outcome: its shape key, those it was taken apart into, its record, its control and its
+    animation
+    """
 
     bl_idname = "boxmorph.remove_outcome"
     bl_label = "Remove Outcome"
@@ -110,6 +200,7 @@ class BOXMORPH_OT_remove_outcome(_OnOutcome, bpy.types.Operator):
     @tells_refusals
     def execute(self, context):
         obj, key = self.outcome(context)
+        control.remove(key)
         shape_key.remove_outcome(obj, key.name)
         return {"FINISHED"}
 
@@ -204,6 +295,9 @@ class BOXMORPH_OT_show_views(bpy.types.Operator):
 classes = (
     BOXMORPH_OT_keyframe_spectrum,
     BOXMORPH_OT_measure_scores,
+    BOXMORPH_OT_evaluate,
+    BOXMORPH_OT_search_again,
+    BOXMORPH_OT_add_control,
     BOXMORPH_OT_remove_outcome,
     BOXMORPH_OT_take_apart,
     BOXMORPH_OT_put_together,

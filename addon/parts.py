@@ -7,6 +7,7 @@ is found is kept in `Object.boxmorph`, so that locks survive saving and undo.
 """
 
 import colorsys
+import hashlib
 import json
 
 import bpy
@@ -184,6 +185,15 @@ def kept_graph(obj, mesh):
         f"“{obj.name}” has changed since its parts were found. "
         "Find them again and check the locks, or forget them"
     )
+
+
+def identity(graph):
+    """Return a hash of the parts of a graph: equal where the rows of two outcomes scale the same vertices."""
+    arrays = (graph.box_center, graph.box_half_size, graph.parameter_row_of_box, graph.assignment)
+    digest = hashlib.blake2b(digest_size=8)
+    for array in arrays:
+        digest.update(array.tobytes())
+    return digest.hexdigest()
 
 
 def part_names(boxes, count):

@@ -204,6 +204,9 @@ class Job:
     def best(self) -> tuple[float, NDArray[np.float32]] | None:
         """Score and positions of the best so far: of `points` where given, else of the mesh."""
 
+    def best_view(self, size: int = 96) -> NDArray[np.uint8] | None:
+        """A picture of the best so far from the front right, RGBA with straight alpha, (size, size, 4)."""
+
     def cancel(self) -> None: ...
     def join(self) -> None:
         """Waits for the end. Raises Cancelled, GuideError, RenderError, ValueError or RuntimeError."""

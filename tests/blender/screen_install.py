@@ -13,7 +13,7 @@ import time
 from pathlib import Path
 
 from screen_drive import HEIGHT, WIDTH, Screen
-from screen_session import OBJECT, PROMPT, report
+from screen_steps import OBJECT, PROMPT, report
 
 PACKAGE = "bl_ext.user_default.boxmorph"
 MIDDLE = (WIDTH // 3, HEIGHT // 2)
