@@ -18,7 +18,6 @@ from . import (
     parts_view,
     preferences,
     properties,
-    running,
     search_operators,
 )
 
@@ -27,7 +26,6 @@ _classes = (
     + parts.classes
     + properties.classes
     + history.classes
-    + search_operators.classes
     + outcome_operators.classes
     + mix_operators.classes
     + parts_operators.classes
@@ -41,6 +39,7 @@ _commands = []
 def register():
     for cls in _classes:
         bpy.utils.register_class(cls)
+    search_operators.register_operators()
     parts.register_object()
     properties.register_scene()
     parts_view.register_view()
@@ -48,7 +47,7 @@ def register():
 
 
 def unregister():
-    running.stop_running()
+    search_operators.unregister_operators()
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())
     parts_view.unregister_view()

@@ -7,7 +7,7 @@ import os
 
 import numpy as np
 
-from . import mesh_io
+from . import compiled_module, mesh_io
 from .errors import Refusal
 from .preferences import preferences
 
@@ -16,7 +16,9 @@ _guides = {}
 
 
 def library():
-    """Return the module `boxmorph`. Raises Refusal where it is not installed for this platform."""
+    """Return the module `boxmorph`. Raises Refusal where it is not installed for this platform, or of another
+    build than the extension.
+    """
     prefs = preferences()
     path = prefs.runtime_library.strip()
     if path and not os.path.isfile(_absolute(path)):
@@ -36,6 +38,7 @@ def library():
             f"Boxmorph's compiled module cannot be loaded ({error}). Install the extension's zip for this "
             "operating system and processor"
         ) from error
+    compiled_module.check(boxmorph)
     return boxmorph
 
 

@@ -106,15 +106,16 @@ def end():
 
 
 def stop_running():
-    """End a running search, wait for it and take its preview back; for unregister()."""
+    """End a running search, wait for it and take its preview back; return whether there was one."""
     search = running.search
     if search is None:
-        return
+        return False
     search.cancel(wait=True)
     obj = search.find_object()
     if obj is not None:
         search.take_back(obj)
     end()
+    return True
 
 
 def _forget_progress():

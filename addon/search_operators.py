@@ -13,6 +13,8 @@ from .search import Search
 #: Events that push no undo step.
 _NAVIGATION = frozenset(("MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "WHEELINMOUSE", "WHEELOUTMOUSE"))
 
+_LET_GO_SECONDS = 0.1
+
 
 class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
     """Search a deformation of the active object that looks like the prompt, and add it as a shape key. While
@@ -221,6 +223,36 @@ class BOXMORPH_OT_unqueue(bpy.types.Operator):
             return {"CANCELLED"}
         del waiting[self.index]
         return {"FINISHED"}
+
+
+def register_operators():
+    """Register the operators."""
+    for cls in classes:
+        bpy.utils.register_class(cls)
+
+
+def unregister_operators():
+    """Unregister the operators, and end a running search.
+
+    The operator of a running search stays until Blender has let go of it: Blender 4.3 crashes when the class
+    of a running operator goes and the same event starts another, as an update of extensions does.
+    """
+    ran = running.stop_running()
+    for cls in reversed(classes):
+        if not (ran and cls is BOXMORPH_OT_deform):
+            bpy.utils.unregister_class(cls)
+    if ran:
+        bpy.app.timers.register(_unregister_when_ended, first_interval=_LET_GO_SECONDS)
+
+
+def _unregister_when_ended():
+    """Called by a timer: unregister the operator, unless it runs or a newer one has taken its place."""
+    windows = bpy.context.window_manager.windows
+    if any(o.bl_idname == "BOXMORPH_OT_deform" for window in windows for o in window.modal_operators):
+        return _LET_GO_SECONDS
+    if BOXMORPH_OT_deform.is_registered:
+        bpy.utils.unregister_class(BOXMORPH_OT_deform)
+    return None
 
 
 classes = (BOXMORPH_OT_deform, BOXMORPH_OT_cancel, BOXMORPH_OT_unqueue)

@@ -111,8 +111,10 @@ def interruptions(screen, _shots):
     screen.ask("bpy.ops.preferences.addon_disable(module='bl_ext.user_default.boxmorph')")
     left = screen.ask(f"[keys('{OBJECT}'), handlers()]")
     report(left == [{}, []], "disabling the extension ends the search and leaves nothing", left)
-    # Blender drops the operator of an unregistered class at its next event.
+    # The operator goes when Blender has let go of it.
     screen.move(*middle)
+    gone = "not hasattr(bpy.types, 'BOXMORPH_OT_deform')"
+    report(bool(screen.wait(lambda: screen.ask(gone), 20, "the operator's end")), "and then no operator")
     screen.ask("bpy.ops.preferences.addon_enable(module='bl_ext.user_default.boxmorph')")
 
     select(screen)
