@@ -7,24 +7,28 @@ The work is done by the Rust module `boxmorph`, which is imported at first use a
 import bpy
 
 from . import (
+    bug_report,
     command,
     outcome_operators,
     panels,
     parts,
     parts_operators,
     parts_view,
-    preferences,
+    preferences_editor,
     properties,
     search_operators,
+    setting_presets,
 )
 
 _classes = (
-    preferences.classes
+    preferences_editor.classes
     + parts.classes
     + properties.classes
     + search_operators.classes
     + outcome_operators.classes
     + parts_operators.classes
+    + setting_presets.classes
+    + bug_report.classes
     + panels.classes
 )
 _commands = []
@@ -36,6 +40,7 @@ def register():
     parts.register_object()
     properties.register_scene()
     parts_view.register_view()
+    setting_presets.register_presets()
     _commands.append(bpy.utils.register_cli_command("boxmorph", command.main))
 
 
@@ -43,6 +48,7 @@ def unregister():
     search_operators.stop_running()
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())
+    setting_presets.unregister_presets()
     parts_view.unregister_view()
     properties.unregister_scene()
     parts.unregister_object()
