@@ -30,7 +30,11 @@ _MOST = 20
 _LONGEST = 24
 
 #: Folders of all users, below which the next folder bears a user's name.
-_USERS = re.compile(r"((?:/home|/Users|/media|/run/media|[A-Za-z]:[\\/]Users)[\\/])[^\\/\s\"”]+")
+_USERS = re.compile(
+    r"((?:/home|/Users|/media|/run/media|[A-Za-z]:[\\/]Users)[\\/])"
+    # With blanks only where the path goes on.
+    r"(?:[^\\/\n\"“”]+(?=[\\/])|[^\\/\s\"“”]+)"
+)
 
 
 def text(context):

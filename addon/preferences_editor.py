@@ -3,6 +3,7 @@
 
 import os
 import sys
+import textwrap
 from contextlib import suppress
 
 import bpy
@@ -18,6 +19,9 @@ _EMBEDDED, _FOLDER, _FIRST_FOUND = range(3)
 
 #: Blender keeps no reference to the texts of a list that is made while it asks.
 _listed = []
+
+#: Room for a letter beside the page's margins, in pixels.
+_LETTER = 8
 
 _MAC, _WINDOWS = sys.platform == "darwin", sys.platform == "win32"
 
@@ -138,19 +142,20 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
         default=0,
     )
 
-    def draw(self, _context):
+    def draw(self, context):
         layout = self.layout
+        letters = max(40, int(context.region.width / (_LETTER * context.preferences.system.ui_scale)))
         layout.use_property_split = True
         layout.use_property_decorate = False
-        self._draw_guide(layout.box())
-        self._draw_runtime(layout.box())
+        self._draw_guide(layout.box(), letters)
+        self._draw_runtime(layout.box(), letters)
         box = layout.box()
         box.label(text="Something Is Wrong?", icon="QUESTION")
         row = box.row()
         row.operator("boxmorph.copy_report", icon="COPYDOWN")
         row.operator("boxmorph.copy_report", text="Report as Text", icon="TEXT").as_text = True
 
-    def _draw_guide(self, box):
+    def _draw_guide(self, box, letters):
         box.label(text="Guide", icon="VIEWZOOM")
         elsewhere = True
         if not OLD_MODULE:
@@ -158,28 +163,32 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
             elsewhere = self.guide == "FOLDER"
         if elsewhere:
             box.prop(self, "guide_folder")
-        column = box.column(align=True)
-        for line, icon in guide_lines():
-            column.label(text=line, icon=icon)
+        _draw_lines(box, guide_lines(), letters)
         box.operator("boxmorph.check_guide", icon="FILE_REFRESH")
         box.separator()
-        row = box.row(align=True)
-        row.prop(self, "guides_folder")
-        row.operator("boxmorph.open_guides_folder", text="", icon="FILE_FOLDER")
+        box.prop(self, "guides_folder")
         found = guides.found()
-        count = f"{len(found)} guide{'' if len(found) == 1 else 's'}" if found else "No guides"
+        count = f"{len(found)} folder{'' if len(found) == 1 else 's'}" if found else "No folders"
         total = guides.megabytes(sum(map(guides.size, found)))
-        box.label(text=f"{count} in it, {total}. Nothing else is kept on the disk")
+        row = box.row()
+        row.label(text=f"{count} in it, {total}. Nothing else is kept on the disk")
+        row.operator("boxmorph.open_guides_folder", icon="FOLDER_REDIRECT")
 
-    def _draw_runtime(self, box):
+    def _draw_runtime(self, box, letters):
         box.label(text="What It Runs On", icon="MEMORY")
         box.prop(self, "runtime_library")
         box.prop(self, "provider")
-        column = box.column(align=True)
-        for line, icon in runtime_lines():
-            column.label(text=line, icon=icon)
+        _draw_lines(box, runtime_lines(), letters)
         box.prop(self, "threads")
         box.prop(self, "renderer")
+
+
+def _draw_lines(box, lines, letters):
+    """Draw lines with icons, broken after so many letters."""
+    column = box.column(align=True)
+    for line, icon in lines:
+        for number, piece in enumerate(textwrap.wrap(line, letters)):
+            column.label(text=piece, icon="BLANK1" if number else icon)
 
 
 def guide_lines():
