@@ -39,8 +39,16 @@ impl Encoder {
         let bad = |reason: String| GuideError::BadModel { file, reason };
         let open = || -> Result<Session, GuideError> {
             let mut builder = Session::builder(environment).map_err(|e| bad(e.to_string()))?;
-            if let Some(provider) = provider.dispatch(intra_threads) {
-                builder = builder.with_execution_providers([provider]).map_err(|e| bad(e.to_string()))?;
+            let ways = provider.ways(intra_threads);
+            for (number, way) in ways.iter().enumerate() {
+                match builder.with_execution_providers(std::slice::from_ref(way)) {
+                    Ok(told) => {
+                        builder = told;
+                        break;
+                    }
+                    Err(error) if number + 1 == ways.len() => return Err(bad(error.to_string())),
+                    Err(error) => builder = error.recover(),
+                }
             }
             if provider == Provider::DirectMl {
                 // It takes no other.

@@ -68,20 +68,25 @@ impl Provider {
         Ok(known.unwrap_or(false))
     }
 
-    /// How ONNX Runtime is told to use it; none for the processor, which it uses by itself.
-    pub(super) fn dispatch(self, threads: usize) -> Option<ExecutionProviderDispatch> {
-        let provider = match self {
-            Self::Cuda => ep::CUDA::default().build(),
-            Self::DirectMl => ep::DirectML::default().build(),
-            Self::CoreMl => ep::CoreML::default().build(),
-            Self::MiGraphX => ep::MIGraphX::default().build(),
-            Self::OpenVino => ep::OpenVINO::default()
-                .with_device_type("AUTO:GPU,CPU")
-                .with_arbitrary_config("load_config", openvino(threads))
-                .build(),
-            Self::Cpu => return None,
+    /// How ONNX Runtime is told to use it, the best way first; none for the processor, which it uses by itself.
+    pub(super) fn ways(self, threads: usize) -> Vec<ExecutionProviderDispatch> {
+        let ways = match self {
+            Self::Cuda => vec![ep::CUDA::default().build()],
+            Self::DirectMl => vec![ep::DirectML::default().build()],
+            Self::CoreMl => vec![ep::CoreML::default().build()],
+            Self::MiGraphX => vec![ep::MIGraphX::default().build()],
+            // Its device "AUTO" is refused where there are no Intel graphics. 32-bit floats, where it would round
+            // to 16 bits by itself.
+            Self::OpenVino => vec![
+                ep::OpenVINO::default().with_device_type("GPU").with_precision("FP32").build(),
+                ep::OpenVINO::default()
+                    .with_device_type("CPU")
+                    .with_arbitrary_config("load_config", openvino(threads))
+                    .build(),
+            ],
+            Self::Cpu => Vec::new(),
         };
-        Some(provider.error_on_failure())
+        ways.into_iter().map(ExecutionProviderDispatch::error_on_failure).collect()
     }
 
     /// What its makers call it.
@@ -127,16 +132,19 @@ impl FromStr for Provider {
     }
 }
 
-/// The processor, so that results are the same everywhere; but a large guide goes to what a library that the
-/// user named offers besides.
+/// The processor, so that results are the same everywhere; but a large guide goes to the graphics card, where a
+/// library that the user named has one. `OpenVINO` is not taken by itself: on a processor it is no faster in 32
+/// bits, and slower to open.
 pub fn automatic(small: bool) -> Result<Provider, GuideError> {
     if small || !runtime::is_own_library()? {
         return Ok(Provider::Cpu);
     }
-    Ok(Provider::offered()?.first().copied().unwrap_or(Provider::Cpu))
+    let offered = Provider::offered()?;
+    let taken = offered.into_iter().find(|provider| *provider != Provider::OpenVino);
+    Ok(taken.unwrap_or(Provider::Cpu))
 }
 
-/// Settings of `OpenVINO`: 32-bit floats, where it would round to 16 bits by itself.
+/// Settings of `OpenVINO` on the processor.
 fn openvino(threads: usize) -> String {
     format!(r#"{{"CPU":{{"INFERENCE_PRECISION_HINT":"f32","INFERENCE_NUM_THREADS":"{threads}"}}}}"#)
 }

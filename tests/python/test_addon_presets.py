@@ -39,7 +39,7 @@ def apply(name):
 
 
 def test_every_shipped_preset_sets_every_setting(settings):
-    assert set(shipped()) == {"Defaults", "Quick Look", "Keep the Height", "Bold"}
+    assert set(shipped()) == {"Defaults", "Quick Look", "Keep the Height", "Stay Near", "Bold"}
     for name, path in shipped().items():
         text = path.read_text(encoding="utf-8")
         assert all(f"settings.{setting} = " in text for setting in presets.SETTINGS), name
