@@ -37,8 +37,8 @@ PROVIDERS = (
     (
         "auto",
         "Automatic",
-        "The processor, so that results are the same everywhere; a large guide runs on the graphics card where "
-        "an ONNX Runtime library of your own has one",
+        "The processor, so that results are the same everywhere; a large guide runs on the graphics card "
+        "where an ONNX Runtime library of your own has one",
         0,
     ),
     ("cpu", "Processor", "The processor, by ONNX Runtime itself", 1),

@@ -128,8 +128,8 @@ class Guide:
         """Opens a guide's folder; None: the embedded guide. Raises GuideError.
 
         `provider` encodes the images. "auto" is the processor, so that results are the same everywhere; but
-        a large guide goes to the graphics card where an ONNX Runtime library of your own has one. One that cannot be used is
-        replaced by the processor, and `provider_note` says why.
+        a large guide goes to the graphics card where an ONNX Runtime library of your own has one. A provider
+        that cannot be used is replaced by the processor, and `provider_note` says why.
         """
 
     def text_embedding(self, text: str) -> NDArray[np.float32]: ...  # (d,)
