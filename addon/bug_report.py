@@ -209,6 +209,8 @@ class BOXMORPH_OT_copy_report(bpy.types.Operator):
     def execute(self, context):
         report = text(context)
         if not self.as_text:
+            if bpy.app.background:
+                raise Refusal("There is no clipboard in background. Ask for the report as text")
             context.window_manager.clipboard = report
             self.report({"INFO"}, "The report is on the clipboard. Paste it where you tell of the bug")
             return {"FINISHED"}

@@ -11,6 +11,10 @@ from . import guides, mesh_io
 from .errors import Refusal
 from .preferences import preferences
 
+#: The variable that names a library of ONNX Runtime, and its value before a preference changed it.
+_RUNTIME = "ORT_DYLIB_PATH"
+_environment = {}
+
 #: The last guide that was opened, by the preferences of then, and the sentence on why it could not be; one of
 #: the two is None.
 _guides = {}
@@ -26,8 +30,7 @@ def library():
             "or clear it to use the one inside the extension"
         )
     # Both are read once, when the module first needs them.
-    if path:
-        os.environ["ORT_DYLIB_PATH"] = guides.absolute(path)
+    _name_runtime(guides.absolute(path) if path else None)
     if prefs.threads:
         os.environ.setdefault("RAYON_NUM_THREADS", str(prefs.threads))
     try:
@@ -38,6 +41,19 @@ def library():
             "operating system and processor"
         ) from error
     return boxmorph
+
+
+def _name_runtime(path):
+    """Tell the module which library of ONNX Runtime to open; None: what it would without us."""
+    if path is not None:
+        _environment.setdefault(_RUNTIME, os.environ.get(_RUNTIME))
+        os.environ[_RUNTIME] = path
+    elif _RUNTIME in _environment:
+        before = _environment.pop(_RUNTIME)
+        if before is None:
+            os.environ.pop(_RUNTIME, None)
+        else:
+            os.environ[_RUNTIME] = before
 
 
 def searched(obj, context, bare=False):

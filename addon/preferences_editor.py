@@ -11,7 +11,6 @@ from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 
 from . import engine, guides
 from .errors import Refusal, tells_refusals
-from .parts import OLD_MODULE
 from .preferences import RENDERERS, preferences
 
 #: Numbers of the choices of `guide` that are always there; the guides found are counted on from the last.
@@ -63,8 +62,10 @@ def _guide_items(_prefs, _context):
 
 def _get_guide(prefs):
     folder = engine.guide_folder()
+    if prefs.guide_elsewhere:
+        return _FOLDER
     if folder is None:
-        return _FOLDER if prefs.guide_elsewhere else _EMBEDDED
+        return _EMBEDDED
     found = guides.found()
     return _FIRST_FOUND + found.index(folder) if folder in found else _FOLDER
 
@@ -83,29 +84,25 @@ def _check(_prefs, _context):
         engine.open_guide()
 
 
-_CHECKED = {} if OLD_MODULE else {"update": _check}
-
-
 class BoxmorphPreferences(bpy.types.AddonPreferences):
     """Preferences of the extension, kept per user."""
 
     bl_idname = __package__
 
-    if not OLD_MODULE:
-        # A view of `guide_folder`, which alone is kept: a number would mean another guide when one is gone.
-        guide: EnumProperty(
-            name="Guide",
-            description="The text–image model that judges. Change it for what the embedded one does not know",
-            items=_guide_items,
-            get=_get_guide,
-            set=_set_guide,
-        )
+    # A view of `guide_folder`, which alone is kept: a number would mean another guide when one is gone.
+    guide: EnumProperty(
+        name="Guide",
+        description="The text–image model that judges. Change it for what the embedded one does not know",
+        items=_guide_items,
+        get=_get_guide,
+        set=_set_guide,
+    )
     guide_elsewhere: BoolProperty(options={"HIDDEN"})
     guide_folder: StringProperty(
         name="Guide Folder",
         description="Folder of a guide (ONNX files, tokenizer and configuration). Empty: the embedded guide",
         subtype="DIR_PATH",
-        **_CHECKED,
+        update=_check,
     )
     guides_folder: StringProperty(
         name="Guides Folder",
@@ -125,7 +122,7 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
         "Runtime library has something faster. Scores then differ in the last digits",
         items=PROVIDERS,
         default="auto",
-        **_CHECKED,
+        update=_check,
     )
     renderer: EnumProperty(
         name="Renderer",
@@ -157,11 +154,8 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
 
     def _draw_guide(self, box, letters):
         box.label(text="Guide", icon="VIEWZOOM")
-        elsewhere = True
-        if not OLD_MODULE:
-            box.prop(self, "guide")
-            elsewhere = self.guide == "FOLDER"
-        if elsewhere:
+        box.prop(self, "guide")
+        if self.guide == "FOLDER":
             box.prop(self, "guide_folder")
         _draw_lines(box, guide_lines(), letters)
         box.operator("boxmorph.check_guide", icon="FILE_REFRESH")
