@@ -65,7 +65,8 @@ impl std::fmt::Debug for Guide {
 
 impl Guide {
     /// Opens the guide in `folder`, or the embedded one. `threads` defaults to the machine's; `provider`, which
-    /// encodes the images, to what [`provider::automatic`] chooses.
+    /// encodes the images, to the processor, or for a large guide to a graphics card where a library of the
+    /// user's own has one.
     ///
     /// A provider that cannot be used is no error: the processor takes its place, and
     /// [`Guide::provider_note`] says why.

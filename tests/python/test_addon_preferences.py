@@ -106,6 +106,12 @@ def test_the_guides_folder_is_beside_blenders_settings_by_default(prefs):
     assert root == bpy.utils.extension_path_user(blender.PACKAGE, path="guides")
 
 
+def test_a_guides_folder_that_cannot_be_made_is_refused(prefs):
+    prefs.guides_folder = str(pathlib.Path(prefs.guides_folder) / "readme.txt" / "guides")
+    with pytest.raises(RuntimeError, match="guides cannot be made"):
+        bpy.ops.boxmorph.open_guides_folder()
+
+
 def test_files_that_have_changed_are_read_again_on_request(prefs):
     prefs.guide_folder = str(pathlib.Path(prefs.guides_folder) / "copy")
     assert "“copy”" in said()
