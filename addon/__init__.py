@@ -7,6 +7,7 @@ The work is done by the Rust module `boxmorph`, which is imported at first use a
 import bpy
 
 from . import (
+    bug_report,
     command,
     history,
     mix_operators,
@@ -16,19 +17,22 @@ from . import (
     parts,
     parts_operators,
     parts_view,
-    preferences,
+    preferences_editor,
     properties,
     search_operators,
+    setting_presets,
 )
 
 _classes = (
-    preferences.classes
+    preferences_editor.classes
     + parts.classes
     + properties.classes
     + history.classes
     + outcome_operators.classes
     + mix_operators.classes
     + parts_operators.classes
+    + setting_presets.classes
+    + bug_report.classes
     + panels.main_classes
     + outcome_panel.classes
     + panels.classes
@@ -43,6 +47,7 @@ def register():
     parts.register_object()
     properties.register_scene()
     parts_view.register_view()
+    setting_presets.register_presets()
     _commands.append(bpy.utils.register_cli_command("boxmorph", command.main))
 
 
@@ -50,6 +55,7 @@ def unregister():
     search_operators.unregister_operators()
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())
+    setting_presets.unregister_presets()
     parts_view.unregister_view()
     properties.unregister_scene()
     parts.unregister_object()

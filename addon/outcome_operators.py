@@ -61,16 +61,16 @@ class _OnOutcome:
 
 
 class BOXMORPH_OT_keyframe_spectrum(_OnOutcome, bpy.types.Operator):
-    """Animate the outcome: keyframe its value from one frame to another"""
+    """Animate the outcome: keyframe its value from one frame to another, as set above the button"""
 
     bl_idname = "boxmorph.keyframe_spectrum"
     bl_label = "Keyframe Spectrum"
     bl_options = {"REGISTER", "UNDO"}
 
-    frame_from: IntProperty(name="From Frame", default=1)
-    frame_to: IntProperty(name="To Frame", default=60)
-    alpha_from: FloatProperty(name="From Value", default=0.0)
-    alpha_to: FloatProperty(name="To Value", default=1.0)
+    frame_from: IntProperty(name="From Frame", description="Frame of the first keyframe", default=1)
+    frame_to: IntProperty(name="To Frame", description="Frame of the last keyframe", default=60)
+    alpha_from: FloatProperty(name="From Value", description="Value at the first frame", default=0.0)
+    alpha_to: FloatProperty(name="To Value", description="Value at the last frame", default=1.0)
     timing: timing()
 
     def invoke(self, context, _event):
@@ -95,14 +95,16 @@ class BOXMORPH_OT_keyframe_spectrum(_OnOutcome, bpy.types.Operator):
 
 
 class BOXMORPH_OT_measure_scores(_OnOutcome, bpy.types.Operator):
-    """Measure how much the outcome looks like its prompt from one value to another, and draw the curve"""
+    """Measure how much the outcome looks like its prompt from one value to another, and draw the curve: it
+    shows where on the slider it turns into the prompt
+    """
 
     bl_idname = "boxmorph.measure_scores"
     bl_label = "Measure Scores"
     bl_options = {"REGISTER", "UNDO"}
 
-    alpha_from: FloatProperty(name="From Value", default=0.0)
-    alpha_to: FloatProperty(name="To Value", default=1.0)
+    alpha_from: FloatProperty(name="From Value", description="Value where the curve begins", default=0.0)
+    alpha_to: FloatProperty(name="To Value", description="Value where the curve ends", default=1.0)
 
     def invoke(self, context, _event):
         self.take_settings(context, "alpha_from", "alpha_to")
@@ -223,7 +225,9 @@ class BOXMORPH_OT_take_apart(_OnOutcome, bpy.types.Operator):
 
 
 class BOXMORPH_OT_put_together(_OnOutcome, bpy.types.Operator):
-    """Delete the shape keys that the outcome was taken apart into, and show the outcome again as it was"""
+    """Delete the shape keys that the outcome was taken apart into, and show the outcome again as it was. What
+    was tuned by hand on them is lost
+    """
 
     bl_idname = "boxmorph.put_together"
     bl_label = "Put Together"
@@ -264,7 +268,7 @@ class BOXMORPH_OT_apply_as_new(_OnOutcome, bpy.types.Operator):
 
 class BOXMORPH_OT_show_views(bpy.types.Operator):
     """Render the four views that the guide sees of the active object as it is now, as the image Boxmorph
-    Views
+    Views. To see what is judged where a score surprises
     """
 
     bl_idname = "boxmorph.show_views"

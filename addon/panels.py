@@ -5,7 +5,7 @@ search. Its outcomes are in `outcome_panel`.
 
 import bpy
 
-from . import engine, history, running, shape_key, spanning
+from . import engine, history, preferences_editor, running, setting_presets, shape_key, spanning
 from .images import VIEWS_IMAGE
 from .preferences import preferences
 from .progress import progress_parts
@@ -103,23 +103,13 @@ class BOXMORPH_PT_parts(Sidebar, bpy.types.Panel):
             layout.operator("boxmorph.refine", icon="MOD_BEVEL")
 
 
-class BOXMORPH_PT_views(Sidebar, bpy.types.Panel):
-    bl_label = "Views"
-    bl_parent_id = "BOXMORPH_PT_main"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    def draw(self, _context):
-        layout = self.layout
-        layout.operator("boxmorph.show_views", icon="RENDER_RESULT")
-        image = bpy.data.images.get(VIEWS_IMAGE)
-        if image is not None and image.preview is not None:
-            layout.template_icon(icon_value=image.preview.icon_id, scale=9.0)
-
-
 class BOXMORPH_PT_search(Sidebar, bpy.types.Panel):
     bl_label = "Search"
     bl_parent_id = "BOXMORPH_PT_main"
     bl_options = {"DEFAULT_CLOSED"}
+
+    def draw_header_preset(self, _context):
+        setting_presets.BOXMORPH_PT_search_presets.draw_panel_header(self.layout)
 
     def draw(self, context):
         layout = self.layout
@@ -136,9 +126,37 @@ class BOXMORPH_PT_search(Sidebar, bpy.types.Panel):
         layout.prop(preferences(), "renderer")
 
 
+class BOXMORPH_PT_guide(Sidebar, bpy.types.Panel):
+    bl_label = "Guide"
+    bl_parent_id = "BOXMORPH_PT_main"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        letter = preferences_editor.LETTER * context.preferences.system.ui_scale
+        letters = max(20, int(context.region.width / letter) - 6)
+        preferences_editor.draw_lines(layout, preferences_editor.guide_lines(), letters)
+        layout.operator("preferences.addon_show", text="Preferences", icon="PREFERENCES").module = __package__
+        layout.operator("boxmorph.copy_report", icon="COPYDOWN")
+
+
+class BOXMORPH_PT_views(Sidebar, bpy.types.Panel):
+    bl_label = "Views"
+    bl_parent_id = "BOXMORPH_PT_main"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, _context):
+        layout = self.layout
+        layout.operator("boxmorph.show_views", icon="RENDER_RESULT")
+        image = bpy.data.images.get(VIEWS_IMAGE)
+        if image is not None and image.preview is not None:
+            layout.template_icon(icon_value=image.preview.icon_id, scale=9.0)
+
+
 main_classes = (BOXMORPH_PT_main,)
 classes = (
     BOXMORPH_PT_parts,
-    BOXMORPH_PT_views,
     BOXMORPH_PT_search,
+    BOXMORPH_PT_guide,
+    BOXMORPH_PT_views,
 )

@@ -47,7 +47,7 @@ class BoxmorphPart(bpy.types.PropertyGroup):
 
     lock: BoolVectorProperty(
         name="Lock",
-        description="Keep the part's size along this axis of the object",
+        description="Keep the part's size along this axis of the object, in searches from now on",
         size=3,
         subtype="XYZ",
     )
@@ -60,7 +60,7 @@ class BoxmorphParts(bpy.types.PropertyGroup):
     """The parts of an object."""
 
     items: CollectionProperty(type=BoxmorphPart)
-    active: IntProperty(name="Part", default=0)
+    active: IntProperty(name="Part", description="The part that is chosen in the list", default=0)
     splits: IntProperty()
     symmetry: StringProperty()
     #: Triangles that span parts and are too long to be bent gently.

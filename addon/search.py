@@ -38,6 +38,7 @@ class Search:
         self._boxmorph = engine.library()
         guide = engine.open_guide()
         self.prompt, self.unknown = engine.checked_prompt(guide, prompt)
+        self.provider_note = guide.provider_note
         self.nearest = {word: guide.nearest_words(word, 1) for word in self.unknown}
         self.arrays, mesh = engine.searched(obj, context)
         #: What was asked for, by the names of SearchProperties.
@@ -90,6 +91,8 @@ class Search:
         if self.unknown:
             words = ", ".join(self._unknown(word) for word in self.unknown[:6])
             notes.append(f"The guide does not know {words} and goes by the other words")
+        if self.provider_note is not None:
+            notes.append(engine.capitalised(self.provider_note))
         if self.arrays.left_out:
             notes.append(
                 f"Searching on the rest shape, without the modifiers {', '.join(self.arrays.left_out)}"

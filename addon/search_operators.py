@@ -5,7 +5,7 @@ import bpy
 from bpy.props import BoolProperty, IntProperty
 
 from . import history, mesh_io, running
-from .errors import Refusal, tells_refusals
+from .errors import Refusal, remember, tell, tells_refusals
 from .properties import SearchProperties
 from .running import Request
 from .search import Search
@@ -46,6 +46,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             except Refusal as refusal:
                 if len(requests) == 1:
                     raise
+                remember(str(refusal))
                 self.report({"WARNING"}, str(refusal))
             else:
                 kept += 1
@@ -59,8 +60,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             if running.running.search is not None:
                 return self._queue(requests)
         except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
+            return tell(self, refusal)
         running.begin(context, requests)
         if not self._start_next(context):
             return {"CANCELLED"}
@@ -110,8 +110,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             search.keep(obj, context)
         except Refusal as refusal:
             search.take_back(obj)
-            done = {"CANCELLED"}
-            self.report({"ERROR"}, str(refusal))
+            done = tell(self, refusal)
         else:
             done = {"FINISHED"}
             self._tell(search, obj)
@@ -162,6 +161,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
                     raise Refusal(f"“{request.name}” was deleted before its search began")
                 running.start(self._search(context, request))
             except Refusal as refusal:
+                remember(str(refusal))
                 self.report({"WARNING" if waiting else "ERROR"}, str(refusal))
             else:
                 return True

@@ -108,7 +108,7 @@ def session(screen, shots):
     # The curve takes a row of its own.
     keyframe = find(screen, rectangle, "bpy.ops.boxmorph.keyframe_spectrum()", start=below)
 
-    parts_header, views_header = keyframe[1] + 30, keyframe[1] + 57
+    parts_header, views_header = keyframe[1] + 30, keyframe[1] + 110
     screen.click(keyframe[0], parts_header)
     parts = find(screen, rectangle, "bpy.ops.boxmorph.find_parts(", start=parts_header - rectangle[1])
     screen.click(*parts)
