@@ -123,7 +123,9 @@ class BOXMORPH_PT_search(Sidebar, bpy.types.Panel):
         column.prop(settings, "least_scale")
         column.prop(settings, "greatest_scale")
         layout.prop(settings, "shift_parts")
-        layout.prop(preferences(), "renderer")
+        prefs = preferences()
+        if isinstance(prefs, bpy.types.AddonPreferences):
+            layout.prop(prefs, "renderer")
 
 
 class BOXMORPH_PT_guide(Sidebar, bpy.types.Panel):

@@ -108,7 +108,7 @@ def session(screen, shots):
     # The curve takes a row of its own.
     keyframe = find(screen, rectangle, "bpy.ops.boxmorph.keyframe_spectrum()", start=below)
 
-    parts_header, views_header = keyframe[1] + 30, keyframe[1] + 110
+    parts_header, search_header, guide_header, views_header = (keyframe[1] + y for y in (30, 57, 83, 110))
     screen.click(keyframe[0], parts_header)
     parts = find(screen, rectangle, "bpy.ops.boxmorph.find_parts(", start=parts_header - rectangle[1])
     screen.click(*parts)
@@ -119,6 +119,13 @@ def session(screen, shots):
     time.sleep(1.0)
     screen.shot(shots("6-parts"))
     screen.click(keyframe[0], parts_header)
+
+    for name, header in (("search", search_header), ("guide", guide_header)):
+        screen.click(keyframe[0], header)
+        screen.move(*middle)
+        time.sleep(1.0)
+        screen.shot(shots(f"6-{name}"))
+        screen.click(keyframe[0], header)
 
     screen.click(keyframe[0], views_header)
     views = find(screen, rectangle, "bpy.ops.boxmorph.show_views(", start=views_header - rectangle[1])
