@@ -16,6 +16,7 @@ from . import (
     preferences,
     properties,
     search_operators,
+    variation_operators,
 )
 
 _classes = (
@@ -24,6 +25,7 @@ _classes = (
     + properties.classes
     + search_operators.classes
     + outcome_operators.classes
+    + variation_operators.classes
     + parts_operators.classes
     + panels.classes
 )
