@@ -20,6 +20,7 @@ use crate::search::{Evaluation, ImagePlan, Novelty, Sketch, Start};
 pub const MOST_VARIATIONS: usize = 8;
 
 /// A variation may lose this share of what the best gained, in score and in worth.
+/// Of 36 outcomes asked for of nine objects, 22 were found with 0.05, 30 with 0.1, 33 with 0.15 and as many with 0.25.
 const TOLERANCE: f64 = 0.15;
 
 /// Searches aim at losing no more than this share of the tolerance: they see a third of the images.
