@@ -21,6 +21,7 @@ from . import (
     properties,
     search_operators,
     setting_presets,
+    variation_operators,
 )
 
 _classes = (
@@ -30,6 +31,7 @@ _classes = (
     + history.classes
     + outcome_operators.classes
     + mix_operators.classes
+    + variation_operators.classes
     + parts_operators.classes
     + setting_presets.classes
     + bug_report.classes

@@ -118,6 +118,14 @@ def note(mesh, name, field, value):
     _store(mesh.shape_keys, stored)
 
 
+def keep_record(mesh, name, report):
+    """Make `report` the record of the outcome `name`, which becomes the newest."""
+    stored = records(mesh)
+    stored.pop(name, None)
+    stored[name] = report
+    _store(mesh.shape_keys, stored)
+
+
 def remove_outcome(obj, name):
     """Delete an outcome: its key, its pieces, its record and its animation."""
     remove_pieces(obj, name)
@@ -135,7 +143,15 @@ def set_limits(key, least, greatest):
 
 def piece_name(name, label):
     """Return the key name of a piece of the outcome `name`; of the two, the outcome's name is cut."""
-    tail = f": {label}"
+    return _with_tail(name, f": {label}")
+
+
+def numbered_name(name, number):
+    """Return the key name of the variation `number` of the outcome `name`."""
+    return _with_tail(name, f" {number}")
+
+
+def _with_tail(name, tail):
     return name.encode()[: _NAME_BYTES - len(tail.encode())].decode(errors="ignore").rstrip() + tail
 
 
@@ -248,10 +264,7 @@ class Trial:
         key = self.key(obj)
         set_limits(key, slider_min, slider_max)
         key.value = 1.0
-        stored = records(obj.data)
-        stored.pop(self.name, None)
-        stored[self.name] = report
-        _store(obj.data.shape_keys, stored)
+        keep_record(obj.data, self.name, report)
         return self.name
 
     def take_back(self, obj):
