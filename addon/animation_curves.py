@@ -11,10 +11,16 @@ def is_animated(key):
     return curve(key.id_data, path) is not None or animation.drivers.find(path) is not None
 
 
+def is_linked(keys):
+    """Whether the keyframes of the Key data-block `keys` are another file's, where changes would be lost."""
+    animation = keys.animation_data
+    return animation is not None and animation.action is not None and not animation.action.is_editable
+
+
 def remove_curve(keys, path):
-    """Delete the animation curve of `path` on the Key data-block `keys`, if there is one."""
+    """Delete the animation curve of `path` on the Key data-block `keys`, if there is one and it is ours."""
     found = curve(keys, path)
-    if found is not None:
+    if found is not None and not is_linked(keys):
         curves(keys).remove(found)
 
 

@@ -36,8 +36,8 @@ def keyframe_spectrum(
 
     Keyframes that lay between the two frames are replaced; others stay. Semantic timing measures the score
     and keeps its curve in the outcome's record. Raises Refusal, before anything is changed, for frames that
-    are one and the same, values that the key's slider cannot take, a value that is driven, and, in semantic
-    timing, a score that cannot be measured or does not rise.
+    are one and the same, values that the key's slider cannot take, a value that is driven, keyframes that are
+    linked or locked, and, in semantic timing, a score that cannot be measured or does not rise.
     """
     _check(key, frame_from, frame_to, alpha_from, alpha_to)
     frames, alphas = [frame_from, frame_to], [alpha_from, alpha_to]
@@ -64,6 +64,16 @@ def _check(key, frame_from, frame_to, alpha_from, alpha_to):
         raise Refusal(
             f"“{key.name}” is driven, and a driven value cannot be keyframed. Delete its driver first, or "
             "keyframe what drives it"
+        )
+    if animation_curves.is_linked(key.id_data):
+        raise Refusal(
+            f"The keyframes of “{key.name}” are linked from another file, where changes would be lost. "
+            "Make them local first (Object > Relations > Make Local > All)"
+        )
+    curve = animation_curves.curve(key.id_data, key.path_from_id("value"))
+    if curve is not None and (curve.lock or (curve.group is not None and curve.group.lock)):
+        raise Refusal(
+            f"The animation of “{key.name}” is locked. Unlock its channel in the Graph Editor first"
         )
 
 

@@ -99,6 +99,17 @@ def test_a_driven_value_is_not_keyframed(key, timing):
     assert blender.evaluated_positions(obj)[:, 2].max() == pytest.approx(0.25)
 
 
+@pytest.mark.parametrize("locked", ["curve", "group"])
+def test_locked_keyframes_are_left_alone(key, locked):
+    key.keyframe_insert("value", frame=1, group="Shapes")
+    bpy.ops.boxmorph.keyframe_spectrum(frame_from=1, frame_to=11)
+    curve = blender.addon("animation_curves").curve(key.id_data, key.path_from_id("value"))
+    (curve.group if locked == "group" else curve).lock = True
+    with pytest.raises(RuntimeError, match="is locked"):
+        bpy.ops.boxmorph.keyframe_spectrum(frame_from=3, frame_to=7, alpha_from=2.0, alpha_to=-1.0)
+    assert values(key, 1, 6, 11) == [0.0, 0.5, 1.0]
+
+
 def test_removing_an_outcome_removes_its_animation(key):
     keys = key.id_data
     bpy.ops.boxmorph.keyframe_spectrum()
