@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The animation of shape keys: curves and drivers on a Key data-block, in every version of Blender."""
 
+import bpy
+
 
 def is_animated(key):
     """Whether keyframes or a driver set the value of shape key `key`."""
@@ -22,6 +24,28 @@ def remove_curve(keys, path):
     found = curve(keys, path)
     if found is not None and not is_linked(keys):
         curves(keys).remove(found)
+
+
+def drop_empty(keys):
+    """Delete what is empty of the animation of the Key data-block `keys` and used by nobody else: its slot in
+    the action, the action, the animation data.
+    """
+    animation = keys.animation_data
+    if animation is None or animation.use_tweak_mode:
+        return
+    # None without an action, or without a slot in it.
+    found = curves(keys)
+    if found is not None and not found and not is_linked(keys):
+        action, slot = animation.action, getattr(animation, "action_slot", None)
+        unshared = action.users == 1
+        animation.action = None
+        # The object's own keyframes may be in the same action, in another slot.
+        if slot is not None and not slot.users():
+            action.slots.remove(slot)
+        if unshared and len(getattr(action, "slots", ())) == 0:
+            bpy.data.actions.remove(action)
+    if animation.action is None and not animation.drivers and not animation.nla_tracks:
+        keys.animation_data_clear()
 
 
 def curve(keys, path):

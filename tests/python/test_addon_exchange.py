@@ -259,7 +259,7 @@ def assert_moves(obj, made):
 def test_alembic_bakes_what_is_seen(mirrored, tmp_path):
     mirrored.open()
     path = str(tmp_path / "chair.abc")
-    bpy.ops.wm.alembic_export(filepath=path, start=1, end=11)
+    bpy.ops.wm.alembic_export(filepath=path)
     assert_moves(imported(bpy.ops.wm.alembic_import, filepath=path), mirrored)
 
 
