@@ -10,7 +10,7 @@ _LOOKED_INTO = ("objects", "meshes", "shape_keys", "actions", "armatures", "mate
 #: Properties that say nothing of what is kept: back references, the mesh's geometry, which is read from its
 #: attributes, and what Blender computes when it is asked.
 _LEFT_OUT = frozenset(
-    "rna_type id_data bl_rna original library_weak_reference preview node_tree users session_uid "
+    "rna_type id_data bl_rna original library_weak_reference preview node_tree use_nodes users session_uid "
     "vertices edges loops polygons loop_triangles loop_triangle_polygons vertex_normals polygon_normals "
     "corner_normals attributes color_attributes uv_layers vertex_colors uv_layer_stencil uv_layer_clone "
     "points data execution_time is_evaluated is_updated is_updated_data tag "

@@ -362,6 +362,46 @@ def obj(request):
     return obj
 
 
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda obj: setattr(obj.data.vertices[3].co, "x", 1e-7),
+        lambda obj: setattr(obj.data.polygons[2], "use_smooth", not obj.data.polygons[2].use_smooth),
+        lambda obj: setattr(
+            obj.data.polygons[2], "material_index", 0 if obj.data.polygons[2].material_index else 1
+        ),
+        lambda obj: setattr(obj.data.edges[7], "use_seam", not obj.data.edges[7].use_seam),
+        lambda obj: setattr(obj.data.uv_layers[0].data[5].uv, "x", 0.123),
+        lambda obj: obj.data.color_attributes[0].data[1].color.__setitem__(3, 0.5),
+        lambda obj: obj.data.flip_normals(),
+        lambda obj: obj.data.normals_split_custom_set([(0, 0.6, 0.8)] * len(obj.data.loops)),
+        lambda obj: obj.vertex_groups[0].add([2], 0.5, "REPLACE"),
+        lambda obj: setattr(obj.data.shape_keys.key_blocks["Wide"].points[4].co, "z", 1e-7),
+        lambda obj: setattr(obj.data.shape_keys.key_blocks["Wide"], "vertex_group", ""),
+        lambda obj: setattr(obj.data.shape_keys.animation_data.drivers[0].driver, "expression", "1"),
+        lambda obj: setattr(blender.addon("animation_curves").curves(obj.data.shape_keys)[0], "lock", True),
+        lambda obj: setattr(
+            blender.addon("animation_curves").curves(obj.data.shape_keys)[0].keyframe_points[1].co, "y", 0.5
+        ),
+        lambda obj: setattr(obj.modifiers[0], "width", 0.5),
+        lambda obj: obj.__setitem__("amount", 0.31),
+        lambda obj: bpy.data.images.new("New", 1, 1),
+        lambda obj: bpy.app.handlers.undo_pre.append(print),
+    ],
+)
+def test_a_snapshot_sees_small_changes(change):
+    blender.empty_scene()
+    obj = shape_keys()
+    obj.modifiers.new("Bevel", "BEVEL")
+    bpy.context.scene.frame_set(1)
+    before = snapshot()
+    assert not differences(before, snapshot())
+    change(obj)
+    assert differences(before, snapshot())
+    if print in bpy.app.handlers.undo_pre:
+        bpy.app.handlers.undo_pre.remove(print)
+
+
 def assert_as_it_was(before):
     assert not differences(before, snapshot())
 
@@ -420,4 +460,16 @@ def test_nothing_is_left_of_a_search_that_was_refused_failed_or_cancelled(obj):
     with pytest.raises(blender.addon("errors").Refusal):
         search.keep(obj, bpy.context)
     assert search.take_back(search.find_object())
+    assert_as_it_was(before)
+
+
+@pytest.mark.parametrize("make", [shape_keys, modifiers, only_basis], ids=lambda make: make.__name__)
+def test_nothing_is_left_of_a_search_that_fails_on_its_way(make, monkeypatch):
+    blender.empty_scene()
+    make()
+    bpy.context.scene.frame_set(1)
+    before = snapshot()
+    monkeypatch.setattr(blender.addon("search").Search, "run", lambda search: search.cancel(wait=True))
+    with pytest.raises(RuntimeError, match="ancelled"):
+        bpy.ops.boxmorph.deform(prompt=PROMPT, splits="1")
     assert_as_it_was(before)
