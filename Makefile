@@ -8,7 +8,7 @@ WHEEL_SOURCES := Cargo.toml Cargo.lock pyproject.toml $(wildcard guides/mini/*) 
 	$(shell find src python -name '*.rs' -o -name '*.wgsl' -o -name '*.py' -o -name '*.pyi')
 ADDON_SOURCES := scripts/build_extension.py $(shell find addon -type f -not -name '*.pyc')
 
-.PHONY: help tools setup test demo pictures bench extension release guide lint format clean
+.PHONY: help tools setup test demo pictures bench extension release repository site guide lint format clean
 
 help: ## list the targets
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -45,11 +45,22 @@ release: $(VENV)/.requirements ## build the zip for every Linux from glibc 2.28 
 	PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/maturin build --release --zig --compatibility manylinux_2_28 --quiet --target-dir target/zig --out dist/release
 	$(BIN)/python scripts/build_extension.py --wheel dist/release/*.whl --output-dir dist/release
 
+repository: release ## put the release into dist/repository/, from which Blender installs and updates
+	$(BIN)/python scripts/build_repository.py dist/release/*.zip
+
+$(VENV)/.site-requirements: $(VENV)/.requirements requirements/site.txt
+	$(BIN)/pip install --quiet --disable-pip-version-check -r requirements/site.txt
+	@touch $@
+
+site: $(VENV)/.site-requirements ## make a site of the documents in dist/site/, to be opened or served
+	rm -rf dist/site
+	$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet -c docs/site -d build/doctrees . dist/site
+
 $(VENV)/.test-requirements: $(VENV)/.requirements requirements/test.txt
 	$(BIN)/pip install --quiet --disable-pip-version-check -r requirements/test.txt
 	@touch $@
 
-test: extension $(VENV)/.test-requirements ## run all tests, ending in their counts
+test: extension $(VENV)/.test-requirements $(VENV)/.site-requirements ## run all tests, ending in their counts
 	$(BIN)/python scripts/run_tests.py
 
 demo: extension ## deform the example objects, results in demo/out/

@@ -7,24 +7,34 @@ The work is done by the Rust module `boxmorph`, which is imported at first use a
 import bpy
 
 from . import (
+    bug_report,
     command,
+    history,
+    mix_operators,
     outcome_operators,
+    outcome_panel,
     panels,
     parts,
     parts_operators,
     parts_view,
-    preferences,
+    preferences_editor,
     properties,
     search_operators,
+    setting_presets,
 )
 
 _classes = (
-    preferences.classes
+    preferences_editor.classes
     + parts.classes
     + properties.classes
-    + search_operators.classes
+    + history.classes
     + outcome_operators.classes
+    + mix_operators.classes
     + parts_operators.classes
+    + setting_presets.classes
+    + bug_report.classes
+    + panels.main_classes
+    + outcome_panel.classes
     + panels.classes
 )
 _commands = []
@@ -33,16 +43,19 @@ _commands = []
 def register():
     for cls in _classes:
         bpy.utils.register_class(cls)
+    search_operators.register_operators()
     parts.register_object()
     properties.register_scene()
     parts_view.register_view()
+    setting_presets.register_presets()
     _commands.append(bpy.utils.register_cli_command("boxmorph", command.main))
 
 
 def unregister():
-    search_operators.stop_running()
+    search_operators.unregister_operators()
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())
+    setting_presets.unregister_presets()
     parts_view.unregister_view()
     properties.unregister_scene()
     parts.unregister_object()

@@ -1,20 +1,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The animation of shape keys: curves and drivers on a Key data-block, in every version of Blender."""
+"""The animation of shape keys: curves and drivers on a Key data-block, in every version of Blender.
+
+Curves of other data-blocks, such as objects, are found and deleted the same way.
+"""
 
 import bpy
 
 
 def is_animated(key):
     """Whether keyframes or a driver set the value of shape key `key`."""
+    return curve(key.id_data, key.path_from_id("value")) is not None or driver(key) is not None
+
+
+def driver(key):
+    """Return the driver's curve of the value of shape key `key`, or None."""
     animation = key.id_data.animation_data
-    path = key.path_from_id("value")
-    if animation is None:
-        return False
-    return curve(key.id_data, path) is not None or animation.drivers.find(path) is not None
+    return None if animation is None else animation.drivers.find(key.path_from_id("value"))
 
 
 def is_linked(keys):
-    """Whether the keyframes of the Key data-block `keys` are another file's, where changes would be lost."""
+    """Whether the keyframes of the data-block `keys` are another file's, where changes would be lost."""
     animation = keys.animation_data
     return animation is not None and animation.action is not None and not animation.action.is_editable
 
@@ -27,8 +32,8 @@ def remove_curve(keys, path):
 
 
 def drop_empty(keys):
-    """Delete what is empty of the animation of the Key data-block `keys` and used by nobody else: its slot in
-    the action, the action, the animation data.
+    """Delete what is empty of the animation of the data-block `keys` and used by nobody else: its slot in the
+    action, the action, the animation data.
     """
     animation = keys.animation_data
     if animation is None or animation.use_tweak_mode:

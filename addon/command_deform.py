@@ -9,7 +9,7 @@ import sys
 
 import bpy
 
-from . import engine, images, keyframes, parts, take_apart
+from . import engine, evaluation, images, keyframes, parts, take_apart
 from .command_checks import DONE, FAILED, named_collection, named_object, opened_file, require_writable
 from .errors import Refusal
 from .preferences import RENDERERS
@@ -77,6 +77,11 @@ def add_to(commands):
         help="how the keyframed value changes: evenly, eased, or so that the score rises evenly",
     )
     deform.add_argument(
+        "--evaluate",
+        action="store_true",
+        help="judge the outcome by likeness, curvature and crossing faces; the report holds the numbers",
+    )
+    deform.add_argument(
         "--output", metavar="FILE.blend", help="default: FILE-<prompt>.blend beside FILE.blend"
     )
     deform.add_argument("--report", metavar="FILE.json", help="write a report of the search")
@@ -126,7 +131,8 @@ def _deform(options):
     for note in search.departures(obj) + search.shear():
         print(f"boxmorph: {note}.", file=sys.stderr)
     # The outcome is worth saving even where one of these is refused.
-    refused = [refusal for step in (_take_apart, _keyframe) for refusal in step(obj, search.name, options)]
+    refused = _evaluate(obj, search, options)
+    refused += [refusal for step in (_take_apart, _keyframe) for refusal in step(obj, search.name, options)]
     for refusal in refused:
         print(f"boxmorph: {refusal}.", file=sys.stderr)
 
@@ -153,6 +159,22 @@ def _lock(obj, wanted):
         if not set(axes.lower()) <= set("xyz"):
             raise Refusal(f"“{axes}” names no axes. Write x, y or z, or several, such as xy")
         part.lock = [axis in (axes.lower() or "xyz") for axis in "xyz"]
+
+
+def _evaluate(obj, search, options):
+    """Evaluate the outcome if that is asked for, into its record and the report; return what was refused."""
+    if not options.evaluate:
+        return []
+    key = obj.data.shape_keys.key_blocks[search.name]
+    try:
+        evaluated = evaluation.evaluate(obj, bpy.context, key, options.renderer)
+    except Refusal as refusal:
+        return [refusal]
+    evaluation.keep(obj, key, evaluated)
+    search.report[evaluation.FIELD] = evaluated
+    for line in evaluation.lines(evaluated):
+        print(f"boxmorph: {line}.")
+    return []
 
 
 def _take_apart(obj, name, options):

@@ -7,26 +7,32 @@ import os
 
 import numpy as np
 
-from . import mesh_io
+from . import compiled_module, guides, mesh_io
 from .errors import Refusal
 from .preferences import preferences
 
-#: The last guide that was opened, under the preferences that it was opened with.
+#: The variable that names a library of ONNX Runtime, and its value before a preference changed it.
+_RUNTIME = "ORT_DYLIB_PATH"
+_environment = {}
+
+#: The last guide that was opened, by the preferences of then, and the sentence on why it could not be; one of
+#: the two is None.
 _guides = {}
 
 
 def library():
-    """Return the module `boxmorph`. Raises Refusal where it is not installed for this platform."""
+    """Return the module `boxmorph`. Raises Refusal where it is not installed for this platform, or of another
+    build than the extension.
+    """
     prefs = preferences()
     path = prefs.runtime_library.strip()
-    if path and not os.path.isfile(_absolute(path)):
+    if path and not os.path.isfile(guides.absolute(path)):
         raise Refusal(
             f"The ONNX Runtime library {path} is missing. Correct its path in Boxmorph's preferences, "
             "or clear it to use the one inside the extension"
         )
     # Both are read once, when the module first needs them.
-    if path:
-        os.environ["ORT_DYLIB_PATH"] = _absolute(path)
+    _name_runtime(guides.absolute(path) if path else None)
     if prefs.threads:
         os.environ.setdefault("RAYON_NUM_THREADS", str(prefs.threads))
     try:
@@ -36,7 +42,21 @@ def library():
             f"Boxmorph's compiled module cannot be loaded ({error}). Install the extension's zip for this "
             "operating system and processor"
         ) from error
+    compiled_module.check(boxmorph)
     return boxmorph
+
+
+def _name_runtime(path):
+    """Tell the module which library of ONNX Runtime to open; None: what it would without us."""
+    if path is not None:
+        _environment.setdefault(_RUNTIME, os.environ.get(_RUNTIME))
+        os.environ[_RUNTIME] = path
+    elif _RUNTIME in _environment:
+        before = _environment.pop(_RUNTIME)
+        if before is None:
+            os.environ.pop(_RUNTIME, None)
+        else:
+            os.environ[_RUNTIME] = before
 
 
 def searched(obj, context, bare=False):
@@ -56,24 +76,56 @@ def searched(obj, context, bare=False):
         raise Refusal(sentence(error)) from error
 
 
-def open_guide():
-    """Return the guide named in the preferences, else the embedded one. Raises Refusal."""
+def open_guide(again=False):
+    """Return the guide named in the preferences, else the embedded one. Raises Refusal.
+
+    With `again` it is read once more, even if it is open.
+    """
+    choice = _guide_choice()
+    guide, _why = (None, None) if again else _guides.get(choice, (None, None))
+    try:
+        guide = _open(guide, *choice)
+    except Refusal as refusal:
+        _guides.clear()
+        _guides[choice] = None, str(refusal)
+        raise
+    _guides[choice] = guide, None
+    return guide
+
+
+def _open(guide, folder, _runtime_library, threads, provider):
     boxmorph = library()
-    folder = preferences().guide_folder.strip()
-    folder = _absolute(folder) if folder else None
     if folder is not None and not os.path.isdir(folder):
         raise Refusal(
             f"The guide folder {folder} does not exist. Correct it in Boxmorph's preferences, "
-            "or clear it to use the embedded guide"
+            "or choose the embedded guide there"
         )
-    opened_with = (folder, preferences().runtime_library, preferences().threads)
-    if opened_with not in _guides:
-        _guides.clear()
-        try:
-            _guides[opened_with] = boxmorph.Guide.open(folder, threads=preferences().threads or None)
-        except (boxmorph.GuideError, ValueError, OSError) as error:
-            raise Refusal(sentence(error)) from error
-    return _guides[opened_with]
+    if guide is not None:
+        return guide
+    # Not two at once: they may be large.
+    _guides.clear()
+    try:
+        return boxmorph.Guide.open(folder, threads=threads or None, provider=provider)
+    except (boxmorph.GuideError, ValueError, OSError) as error:
+        raise Refusal(capitalised(sentence(error))) from error
+
+
+def known_guide():
+    """Return the guide of the present preferences if it is open, and the sentence on why it cannot be opened
+    if that was tried; None for what is not known. Opens nothing.
+    """
+    return _guides.get(_guide_choice(), (None, None))
+
+
+def guide_folder():
+    """Return the absolute path of the guide folder in the preferences; None: the embedded guide."""
+    folder = preferences().guide_folder.strip()
+    return guides.absolute(folder) if folder else None
+
+
+def _guide_choice():
+    prefs = preferences()
+    return guide_folder(), prefs.runtime_library, prefs.threads, prefs.provider
 
 
 def checked_prompt(guide, text):
@@ -98,9 +150,3 @@ def sentence(error):
     """Return the message of a library error as one sentence, never empty."""
     text = " ".join(str(error).split()) or type(error).__name__
     return text.rstrip(".")
-
-
-def _absolute(path):
-    import bpy
-
-    return os.path.abspath(bpy.path.abspath(path))

@@ -1,22 +1,38 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The one exception of the extension: a sentence for the person at the keyboard."""
 
+import collections
 import functools
+
+#: The last sentences told in this session, the newest last; for the report on a bug.
+told = collections.deque(maxlen=10)
 
 
 class Refusal(Exception):  # noqa: N818 (no error: the answer to a request)
     """Boxmorph does not do what was asked; the message says why and what to do instead."""
 
 
+def remember(sentence):
+    """Keep a sentence that the user was told, unless it repeats the last."""
+    if not told or told[-1] != sentence:
+        told.append(sentence)
+
+
+def tell(operator, refusal):
+    """Make a Refusal the error report of an operator, and return what the operator is to return."""
+    remember(str(refusal))
+    operator.report({"ERROR"}, str(refusal))
+    return {"CANCELLED"}
+
+
 def tells_refusals(execute):
     """Decorate an operator's execute(): a Refusal becomes its error report, and it is cancelled."""
 
     @functools.wraps(execute)
-    def told(self, context):
+    def telling(self, context):
         try:
             return execute(self, context)
         except Refusal as refusal:
-            self.report({"ERROR"}, str(refusal))
-            return {"CANCELLED"}
+            return tell(self, refusal)
 
-    return told
+    return telling

@@ -66,6 +66,8 @@ def show(picture, name=VIEWS_IMAGE):
         image = bpy.data.images.new(name, width, height, alpha=False)
     _fill(image, picture)
     image.update()
+    # Packed: Blender would else ask, at each saving of the file, whether to save the image too.
+    image.pack()
     pixels = _rgba(picture)
     preview = image.preview_ensure()
     preview.image_size = (width, height)

@@ -19,6 +19,9 @@ TIMINGS = (
 #: Keyframes of semantic timing, fewer where there are fewer frames.
 _SEMANTIC_KEYS = 11
 
+#: Keyframes nearer than this lie on one frame.
+_SAME_FRAME = 1e-3
+
 
 def keyframe_spectrum(
     obj,
@@ -59,8 +62,29 @@ def _check(key, frame_from, frame_to, alpha_from, alpha_to):
                 f"The value {alpha:g} is outside of what “{key.name}” can be, "
                 f"{key.slider_min:.2f} to {key.slider_max:.2f}"
             )
-    animation = key.id_data.animation_data
-    if animation is not None and animation.drivers.find(key.path_from_id("value")) is not None:
+    _require_free(key)
+
+
+def keyframe_pose(keys, frame):
+    """Key the present values of these shape keys at `frame`.
+
+    From one such pose to the next all values run along straight lines: between two mixes of outcomes that are
+    in range, so are all others. Raises Refusal, before anything is changed, where one of them is driven
+    or its keyframes are linked or locked.
+    """
+    for key in keys:
+        _require_free(key)
+    for key in keys:
+        _insert(key, frame)
+        curve = animation_curves.curve(key.id_data, key.path_from_id("value"))
+        for point in curve.keyframe_points:
+            if abs(point.co.x - frame) < _SAME_FRAME:
+                point.interpolation = "LINEAR"
+        curve.update()
+
+
+def _require_free(key):
+    if animation_curves.driver(key) is not None:
         raise Refusal(
             f"“{key.name}” is driven, and a driven value cannot be keyframed. Delete its driver first, or "
             "keyframe what drives it"
@@ -103,10 +127,7 @@ def _replace_keyframes(key, frames, alphas, interpolation):
         curve.update()
     for frame, alpha in zip(frames, alphas, strict=True):
         key.value = alpha
-        if not key.keyframe_insert("value", frame=frame):
-            raise Refusal(
-                f"Blender refused a keyframe on “{key.name}”; its animation may be linked or locked"
-            )
+        _insert(key, frame)
     curve = animation_curves.curve(keys, path)
     for point in curve.keyframe_points:
         if first <= point.co.x <= last:
@@ -114,3 +135,8 @@ def _replace_keyframes(key, frames, alphas, interpolation):
         if first <= point.co.x < last:
             point.interpolation = interpolation
     curve.update()
+
+
+def _insert(key, frame):
+    if not key.keyframe_insert("value", frame=frame):
+        raise Refusal(f"Blender refused a keyframe on “{key.name}”; its animation may be linked or locked")

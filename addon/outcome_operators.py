@@ -1,16 +1,37 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators on what a search has left: keyframe an outcome, measure its scores, take it apart, make it an
-object, remove it, show the views of the object.
+"""Operators on what a search has left: keyframe an outcome, give it a control, measure its scores, evaluate
+it, search it again, take it apart, make it an object, remove it, show the views of the object.
 """
 
 import bpy
 from bpy.props import FloatProperty, IntProperty, StringProperty
 
-from . import engine, images, keyframes, mesh_io, new_object, score_curve, shape_key, take_apart
+from . import (
+    again,
+    control,
+    engine,
+    evaluation,
+    images,
+    keyframes,
+    mesh_io,
+    new_object,
+    score_curve,
+    shape_key,
+    take_apart,
+)
 from .errors import Refusal, tells_refusals
 from .preferences import preferences
 from .properties import timing
 from .redraw import redraw_panels
+
+
+def has_outcome(operator, context):
+    """Whether the active object has an outcome; if not, `operator`, a class, tells so where it is offered."""
+    obj = context.active_object
+    if obj is None or obj.type != "MESH" or not shape_key.records(obj.data):
+        operator.poll_message_set("The active object has no outcome yet. Deform it to a prompt first")
+        return False
+    return True
 
 
 class _OnOutcome:
@@ -22,11 +43,7 @@ class _OnOutcome:
 
     @classmethod
     def poll(cls, context):
-        obj = context.active_object
-        if obj is None or obj.type != "MESH" or not shape_key.records(obj.data):
-            cls.poll_message_set("The active object has no outcome yet. Deform it to a prompt first")
-            return False
-        return True
+        return has_outcome(cls, context)
 
     def outcome(self, context):
         """Return the active object, checked, and the key that is meant."""
@@ -44,16 +61,16 @@ class _OnOutcome:
 
 
 class BOXMORPH_OT_keyframe_spectrum(_OnOutcome, bpy.types.Operator):
-    """Animate the outcome: keyframe its value from one frame to another"""
+    """Animate the outcome: keyframe its value from one frame to another, as set above the button"""
 
     bl_idname = "boxmorph.keyframe_spectrum"
     bl_label = "Keyframe Spectrum"
     bl_options = {"REGISTER", "UNDO"}
 
-    frame_from: IntProperty(name="From Frame", default=1)
-    frame_to: IntProperty(name="To Frame", default=60)
-    alpha_from: FloatProperty(name="From Value", default=0.0)
-    alpha_to: FloatProperty(name="To Value", default=1.0)
+    frame_from: IntProperty(name="From Frame", description="Frame of the first keyframe", default=1)
+    frame_to: IntProperty(name="To Frame", description="Frame of the last keyframe", default=60)
+    alpha_from: FloatProperty(name="From Value", description="Value at the first frame", default=0.0)
+    alpha_to: FloatProperty(name="To Value", description="Value at the last frame", default=1.0)
     timing: timing()
 
     def invoke(self, context, _event):
@@ -78,14 +95,16 @@ class BOXMORPH_OT_keyframe_spectrum(_OnOutcome, bpy.types.Operator):
 
 
 class BOXMORPH_OT_measure_scores(_OnOutcome, bpy.types.Operator):
-    """Measure how much the outcome looks like its prompt from one value to another, and draw the curve"""
+    """Measure how much the outcome looks like its prompt from one value to another, and draw the curve: it
+    shows where on the slider it turns into the prompt
+    """
 
     bl_idname = "boxmorph.measure_scores"
     bl_label = "Measure Scores"
     bl_options = {"REGISTER", "UNDO"}
 
-    alpha_from: FloatProperty(name="From Value", default=0.0)
-    alpha_to: FloatProperty(name="To Value", default=1.0)
+    alpha_from: FloatProperty(name="From Value", description="Value where the curve begins", default=0.0)
+    alpha_to: FloatProperty(name="To Value", description="Value where the curve ends", default=1.0)
 
     def invoke(self, context, _event):
         self.take_settings(context, "alpha_from", "alpha_to")
@@ -100,8 +119,81 @@ class BOXMORPH_OT_measure_scores(_OnOutcome, bpy.types.Operator):
         return {"FINISHED"}
 
 
+class BOXMORPH_OT_evaluate(_OnOutcome, bpy.types.Operator):
+    """Judge the outcome by numbers: how alike it is to its prompt, how many faces cross others, how far
+    curvature and shading changed
+    """
+
+    bl_idname = "boxmorph.evaluate"
+    bl_label = "Evaluate"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def invoke(self, context, _event):
+        done = self.execute(context)
+        if done == {"FINISHED"} and not bpy.app.background:
+            _obj, key = self.outcome(context)
+            context.window_manager.popup_menu(
+                lambda menu, _context: [menu.layout.label(text=line) for line in self.lines],
+                title=key.name,
+                icon="INFO",
+            )
+        return done
+
+    @tells_refusals
+    def execute(self, context):
+        obj, key = self.outcome(context)
+        evaluated = evaluation.evaluate(obj, context, key)
+        evaluation.keep(obj, key, evaluated)
+        self.lines = evaluation.lines(evaluated)
+        self.report({"INFO"}, f"“{key.name}”: {'; '.join(self.lines)}")
+        redraw_panels()
+        return {"FINISHED"}
+
+
+class BOXMORPH_OT_search_again(_OnOutcome, bpy.types.Operator):
+    """Search again with the outcome's own prompt and settings and the next seed. What is found takes its
+    place
+    """
+
+    bl_idname = "boxmorph.search_again"
+    bl_label = "Again with Another Seed"
+    # The search makes its own undo step when it ends.
+    bl_options = set()
+
+    @tells_refusals
+    def execute(self, context):
+        obj, key = self.outcome(context)
+        settings = again.settings_of(shape_key.records(obj.data)[key.name])
+        settings["seed"] = again.next_seed(settings["seed"])
+        try:
+            done = bpy.ops.boxmorph.deform("INVOKE_DEFAULT", **settings)
+        except RuntimeError as error:
+            raise Refusal(str(error).strip().removeprefix("Error: ")) from error
+        # A search that goes on beside the user's work is an operator of its own by now.
+        return {"FINISHED"} if "RUNNING_MODAL" in done else done
+
+
+class BOXMORPH_OT_add_control(_OnOutcome, bpy.types.Operator):
+    """Make a custom property of the object that drives the outcome: a slider that can be keyed, driven by
+    bones, or read by other drivers
+    """
+
+    bl_idname = "boxmorph.add_control"
+    bl_label = "Add Driver Control"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @tells_refusals
+    def execute(self, context):
+        obj, key = self.outcome(context)
+        name = control.add(obj, key)
+        self.report({"INFO"}, f"“{key.name}” follows the custom property “{name}” of “{obj.name}”")
+        return {"FINISHED"}
+
+
 class BOXMORPH_OT_remove_outcome(_OnOutcome, bpy.types.Operator):
-    """Delete the outcome: its shape key, those it was taken apart into, its record and its animation"""
+    """Delete the outcome: its shape key, those it was taken apart into, its record, its control and its
+    animation
+    """
 
     bl_idname = "boxmorph.remove_outcome"
     bl_label = "Remove Outcome"
@@ -110,6 +202,7 @@ class BOXMORPH_OT_remove_outcome(_OnOutcome, bpy.types.Operator):
     @tells_refusals
     def execute(self, context):
         obj, key = self.outcome(context)
+        control.remove(key)
         shape_key.remove_outcome(obj, key.name)
         return {"FINISHED"}
 
@@ -132,7 +225,9 @@ class BOXMORPH_OT_take_apart(_OnOutcome, bpy.types.Operator):
 
 
 class BOXMORPH_OT_put_together(_OnOutcome, bpy.types.Operator):
-    """Delete the shape keys that the outcome was taken apart into, and show the outcome again as it was"""
+    """Delete the shape keys that the outcome was taken apart into, and show the outcome again as it was. What
+    was tuned by hand on them is lost
+    """
 
     bl_idname = "boxmorph.put_together"
     bl_label = "Put Together"
@@ -173,7 +268,7 @@ class BOXMORPH_OT_apply_as_new(_OnOutcome, bpy.types.Operator):
 
 class BOXMORPH_OT_show_views(bpy.types.Operator):
     """Render the four views that the guide sees of the active object as it is now, as the image Boxmorph
-    Views
+    Views. To see what is judged where a score surprises
     """
 
     bl_idname = "boxmorph.show_views"
@@ -204,6 +299,9 @@ class BOXMORPH_OT_show_views(bpy.types.Operator):
 classes = (
     BOXMORPH_OT_keyframe_spectrum,
     BOXMORPH_OT_measure_scores,
+    BOXMORPH_OT_evaluate,
+    BOXMORPH_OT_search_again,
+    BOXMORPH_OT_add_control,
     BOXMORPH_OT_remove_outcome,
     BOXMORPH_OT_take_apart,
     BOXMORPH_OT_put_together,

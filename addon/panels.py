@@ -1,124 +1,77 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sidebar tab "Boxmorph": prompt, button, progress, outcomes, keyframes, views, settings of the
-search.
+"""The sidebar tab "Boxmorph": prompt, button and progress; folded, the parts, the views, the settings of the
+search. Its outcomes are in `outcome_panel`.
 """
 
 import bpy
 
-from . import engine, score_curve, shape_key, spanning
+from . import engine, history, preferences_editor, running, setting_presets, shape_key, spanning
 from .images import VIEWS_IMAGE
 from .preferences import preferences
 from .progress import progress_parts
-from .search_operators import running_progress
+from .sidebar import Sidebar
 
 
-class _Sidebar:
-    bl_space_type = "VIEW_3D"
-    bl_region_type = "UI"
-    bl_category = "Boxmorph"
-
-
-class BOXMORPH_PT_main(_Sidebar, bpy.types.Panel):
+class BOXMORPH_PT_main(Sidebar, bpy.types.Panel):
     bl_label = "Boxmorph"
 
     def draw(self, context):
         layout = self.layout
         settings = context.scene.boxmorph
-        progress = running_progress()
-        row = layout.row()
-        row.enabled = progress is None
+        row = layout.row(align=True)
         row.prop(settings, "prompt", text="", placeholder="a bar stool")
-        if progress is not None:
-            _draw_progress(layout, progress)
-            return
-        row = layout.row()
-        row.scale_y = 1.4
-        row.operator("boxmorph.deform", icon="MOD_SIMPLEDEFORM")
+        if history.recent():
+            row.menu("BOXMORPH_MT_prompts", text="", icon="RECOVER_LAST")
+        _draw_button(layout, context)
         row = layout.row(align=True)
         row.prop(settings, "preset", text="")
         row.prop(settings, "seed")
+        if running.running.search is not None:
+            _draw_progress(layout.box())
 
 
-def _draw_progress(layout, progress):
-    phase, done, left = progress_parts(progress)
+def _draw_button(layout, context):
+    """Draw the button that searches the active object or all selected ones, now or after what runs."""
+    selected = {obj.data for obj in context.selected_objects if obj.type == "MESH"}
     row = layout.row()
     row.scale_y = 1.4
-    row.progress(factor=min(max(progress["fraction"], 0.0), 1.0), type="BAR", text=phase)
+    text, icon = "Deform to Prompt", "MOD_SIMPLEDEFORM"
+    if running.running.search is not None:
+        text, icon = "Add to Queue", "ADD"
+        obj = context.active_object
+        row.enabled = obj is not None and not running.is_asked_for(obj)
+    elif len(selected) > 1:
+        text = f"Deform {len(selected)} Objects to Prompt"
+    row.operator("boxmorph.deform", text=text, icon=icon).all_selected = len(selected) > 1
+
+
+def _draw_progress(layout):
+    """Draw the running search: what, how far, the best so far, the course of the score, what waits."""
+    search, progress = running.running.search, running.running.progress
+    phase, generation, scores, left = progress_parts(search.progress)
+    layout.label(text=f"{search.object_name}: {search.prompt}")
+    row = layout.row()
+    row.progress(factor=min(max(search.progress["fraction"], 0.0), 1.0), type="BAR", text=phase)
+    row.operator("boxmorph.cancel", text="", icon="X")
+    icons = progress.pictures.icons()
+    if icons:
+        row = layout.row()
+        for icon in icons:
+            row.template_icon(icon_value=icon, scale=4.5)
     column = layout.column(align=True)
-    column.label(text=done)
-    column.label(text=left)
-    layout.operator("boxmorph.cancel", icon="CANCEL")
+    row = column.row()
+    row.label(text=generation)
+    row = row.row()
+    row.alignment = "RIGHT"
+    row.label(text=left)
+    column.label(text=scores)
+    for index, request in enumerate(running.running.waiting):
+        row = layout.row()
+        row.label(text=f"{request.name}: {request.settings['prompt']}", icon="TIME")
+        row.operator("boxmorph.unqueue", text="", icon="X", emboss=False).index = index
 
 
-def _outcomes(context):
-    obj = context.active_object
-    return [] if obj is None or obj.type != "MESH" else shape_key.outcomes(obj.data)
-
-
-class BOXMORPH_PT_outcomes(_Sidebar, bpy.types.Panel):
-    bl_label = "Outcomes"
-    bl_parent_id = "BOXMORPH_PT_main"
-
-    @classmethod
-    def poll(cls, context):
-        return running_progress() is None and bool(_outcomes(context))
-
-    def draw(self, context):
-        layout = self.layout
-        settings = context.scene.boxmorph
-        reports = shape_key.records(context.active_object.data)
-        for key in _outcomes(context):
-            row = layout.row(align=True)
-            row.prop(key, "value", text=key.name, slider=True)
-            row.operator("boxmorph.keyframe_spectrum", text="", icon="KEYINGSET").key = key.name
-            row.operator("boxmorph.remove_outcome", text="", icon="X").key = key.name
-            row.context_pointer_set("boxmorph_outcome", key)
-            row.menu("BOXMORPH_MT_outcome", text="", icon="DOWNARROW_HLT")
-            curve = score_curve.text(reports[key.name])
-            if curve is not None:
-                layout.label(text=curve)
-            _draw_pieces(layout, key)
-        column = layout.column(align=True)
-        row = column.row(align=True)
-        row.prop(settings, "frame_from", text="Frame")
-        row.prop(settings, "frame_to", text="to")
-        row = column.row(align=True)
-        row.prop(settings, "alpha_from", text="Value")
-        row.prop(settings, "alpha_to", text="to")
-        row = column.row(align=True)
-        row.prop(settings, "timing", text="")
-        row.operator("boxmorph.measure_scores", text="", icon="GRAPH")
-        layout.operator("boxmorph.keyframe_spectrum", icon="KEYINGSET")
-
-
-def _draw_pieces(layout, outcome):
-    """Draw the sliders of what an outcome was taken apart into, if it was."""
-    pieces = shape_key.pieces(outcome.id_data.user, outcome.name)
-    if not pieces:
-        return
-    header, body = layout.panel(f"boxmorph_pieces_{outcome.name}")
-    header.label(text=f"Taken apart: {len(pieces)} pieces")
-    if body is not None:
-        column = body.column(align=True)
-        for key in pieces:
-            column.prop(key, "value", text=key.name.rpartition(": ")[2], slider=True)
-
-
-class BOXMORPH_MT_outcome(bpy.types.Menu):
-    """More to do with an outcome"""
-
-    bl_label = "Outcome"
-
-    def draw(self, context):
-        layout = self.layout
-        key = context.boxmorph_outcome
-        apart = shape_key.is_apart(key.id_data.user, key.name)
-        kind = "put_together" if apart else "take_apart"
-        layout.operator(f"boxmorph.{kind}", icon="MOD_BUILD").key = key.name
-        layout.operator("boxmorph.apply_as_new", icon="DUPLICATE").key = key.name
-
-
-class BOXMORPH_PT_parts(_Sidebar, bpy.types.Panel):
+class BOXMORPH_PT_parts(Sidebar, bpy.types.Panel):
     bl_label = "Parts"
     bl_parent_id = "BOXMORPH_PT_main"
     bl_options = {"DEFAULT_CLOSED"}
@@ -126,7 +79,7 @@ class BOXMORPH_PT_parts(_Sidebar, bpy.types.Panel):
     @classmethod
     def poll(cls, context):
         obj = context.active_object
-        return running_progress() is None and obj is not None and obj.type == "MESH"
+        return running.running.search is None and obj is not None and obj.type == "MESH"
 
     def draw(self, context):
         layout = self.layout
@@ -150,23 +103,13 @@ class BOXMORPH_PT_parts(_Sidebar, bpy.types.Panel):
             layout.operator("boxmorph.refine", icon="MOD_BEVEL")
 
 
-class BOXMORPH_PT_views(_Sidebar, bpy.types.Panel):
-    bl_label = "Views"
-    bl_parent_id = "BOXMORPH_PT_main"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    def draw(self, _context):
-        layout = self.layout
-        layout.operator("boxmorph.show_views", icon="RENDER_RESULT")
-        image = bpy.data.images.get(VIEWS_IMAGE)
-        if image is not None and image.preview is not None:
-            layout.template_icon(icon_value=image.preview.icon_id, scale=9.0)
-
-
-class BOXMORPH_PT_search(_Sidebar, bpy.types.Panel):
+class BOXMORPH_PT_search(Sidebar, bpy.types.Panel):
     bl_label = "Search"
     bl_parent_id = "BOXMORPH_PT_main"
     bl_options = {"DEFAULT_CLOSED"}
+
+    def draw_header_preset(self, _context):
+        setting_presets.BOXMORPH_PT_search_presets.draw_panel_header(self.layout)
 
     def draw(self, context):
         layout = self.layout
@@ -180,14 +123,42 @@ class BOXMORPH_PT_search(_Sidebar, bpy.types.Panel):
         column.prop(settings, "least_scale")
         column.prop(settings, "greatest_scale")
         layout.prop(settings, "shift_parts")
-        layout.prop(preferences(), "renderer")
+        prefs = preferences()
+        if isinstance(prefs, bpy.types.AddonPreferences):
+            layout.prop(prefs, "renderer")
 
 
+class BOXMORPH_PT_guide(Sidebar, bpy.types.Panel):
+    bl_label = "Guide"
+    bl_parent_id = "BOXMORPH_PT_main"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        letter = preferences_editor.LETTER * context.preferences.system.ui_scale
+        letters = max(20, int(context.region.width / letter) - 6)
+        preferences_editor.draw_lines(layout, preferences_editor.guide_lines(), letters)
+        layout.operator("preferences.addon_show", text="Preferences", icon="PREFERENCES").module = __package__
+        layout.operator("boxmorph.copy_report", icon="COPYDOWN")
+
+
+class BOXMORPH_PT_views(Sidebar, bpy.types.Panel):
+    bl_label = "Views"
+    bl_parent_id = "BOXMORPH_PT_main"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, _context):
+        layout = self.layout
+        layout.operator("boxmorph.show_views", icon="RENDER_RESULT")
+        image = bpy.data.images.get(VIEWS_IMAGE)
+        if image is not None and image.preview is not None:
+            layout.template_icon(icon_value=image.preview.icon_id, scale=9.0)
+
+
+main_classes = (BOXMORPH_PT_main,)
 classes = (
-    BOXMORPH_PT_main,
-    BOXMORPH_PT_outcomes,
-    BOXMORPH_MT_outcome,
     BOXMORPH_PT_parts,
-    BOXMORPH_PT_views,
     BOXMORPH_PT_search,
+    BOXMORPH_PT_guide,
+    BOXMORPH_PT_views,
 )

@@ -7,6 +7,7 @@ is found is kept in `Object.boxmorph`, so that locks survive saving and undo.
 """
 
 import colorsys
+import hashlib
 import json
 
 import bpy
@@ -46,7 +47,7 @@ class BoxmorphPart(bpy.types.PropertyGroup):
 
     lock: BoolVectorProperty(
         name="Lock",
-        description="Keep the part's size along this axis of the object",
+        description="Keep the part's size along this axis of the object, in searches from now on",
         size=3,
         subtype="XYZ",
     )
@@ -59,7 +60,7 @@ class BoxmorphParts(bpy.types.PropertyGroup):
     """The parts of an object."""
 
     items: CollectionProperty(type=BoxmorphPart)
-    active: IntProperty(name="Part", default=0)
+    active: IntProperty(name="Part", description="The part that is chosen in the list", default=0)
     splits: IntProperty()
     symmetry: StringProperty()
     #: Triangles that span parts and are too long to be bent gently.
@@ -184,6 +185,15 @@ def kept_graph(obj, mesh):
         f"“{obj.name}” has changed since its parts were found. "
         "Find them again and check the locks, or forget them"
     )
+
+
+def identity(graph):
+    """Return a hash of the parts of a graph: equal where the rows of two outcomes scale the same vertices."""
+    arrays = (graph.box_center, graph.box_half_size, graph.parameter_row_of_box, graph.assignment)
+    digest = hashlib.blake2b(digest_size=8)
+    for array in arrays:
+        digest.update(array.tobytes())
+    return digest.hexdigest()
 
 
 def part_names(boxes, count):

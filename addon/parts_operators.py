@@ -27,7 +27,7 @@ class BOXMORPH_OT_find_parts(bpy.types.Operator):
 
 
 class BOXMORPH_OT_forget_parts(bpy.types.Operator):
-    """Forget the parts of the active object and their locks: the search splits it as it likes"""
+    """Forget the parts of the active object and their locks, so that the search splits it as it likes"""
 
     bl_idname = "boxmorph.forget_parts"
     bl_label = "Forget Parts"
@@ -41,7 +41,7 @@ class BOXMORPH_OT_forget_parts(bpy.types.Operator):
 
 
 class BOXMORPH_OT_lock_part(bpy.types.Operator):
-    """Lock the part as it is, or unlock it again"""
+    """Keep the part's size on all axes in searches from now on, or unlock it again"""
 
     bl_idname = "boxmorph.lock_part"
     bl_label = "Lock Part"

@@ -48,7 +48,8 @@ KEEP_SIZE = (
 def _splits(**options):
     return EnumProperty(
         name="Splits",
-        description="How finely to split the object into parts",
+        description="How finely to split the object into parts. Raise it where what should change is no part "
+        "of its own, lower it where parts are slivers",
         items=SPLITS,
         default="auto",
         **options,
@@ -58,7 +59,7 @@ def _splits(**options):
 def _symmetry(**options):
     return EnumProperty(
         name="Symmetry",
-        description="Which mirror symmetry to keep",
+        description="Which mirror symmetry to keep. Choose None where the two sides may come to differ",
         items=SYMMETRY,
         default="auto",
         **options,
@@ -69,7 +70,8 @@ def timing():
     """Return the property that chooses the timing of keyframes."""
     return EnumProperty(
         name="Timing",
-        description="How the outcome comes about between the two frames",
+        description="How the outcome comes about between the two frames. Choose another where it starts "
+        "or ends too suddenly",
         items=TIMINGS,
         default="linear",
     )
@@ -92,34 +94,45 @@ class SearchProperties:
 
     prompt: StringProperty(
         name="Prompt",
-        description="What the object should become, in a few words, such as: a bar stool",
+        description="What the object should become, in a few words, such as: a bar stool. Names that the "
+        "guide knows are suggested",
         search=suggest,
         search_options={"SUGGESTION"},
     )
     preset: EnumProperty(
-        name="Preset", description="How thoroughly to search", items=PRESETS, default="standard"
+        name="Preset",
+        description="How thoroughly to search. Leave it, unless to compare with what was published",
+        items=PRESETS,
+        default="standard",
     )
     seed: IntProperty(
         name="Seed",
-        description="Another seed gives another result; the same seed gives the same one again",
+        description="Change it where a result does not please: another seed gives another result, "
+        "the same seed the same one again",
         min=0,
         default=0,
     )
     splits: _splits()
     symmetry: _symmetry()
     keep_size: EnumProperty(
-        name="Keep", description="Which size of the object the result keeps", items=KEEP_SIZE, default="auto"
+        name="Keep",
+        description="Which size of the object the result keeps. Choose one where it must fit: Height for "
+        "what stands under something, Footprint for what has its place on the floor",
+        items=KEEP_SIZE,
+        default="auto",
     )
     least_scale: FloatProperty(
         name="Least Scale",
-        description="No part gets smaller than this share of its size, before the size of the whole is kept",
+        description="No part gets smaller than this share of its size, before the size of the whole is kept. "
+        "Raise it where parts come out too thin",
         min=0.05,
         max=1.0,
         default=0.3,
     )
     greatest_scale: FloatProperty(
         name="Greatest",
-        description="No part gets larger than this many times its size, before the size of the whole is kept",
+        description="No part gets larger than this many times its size, before the size of the whole is "
+        "kept. Lower it to stay near the object, raise it for what is far from it",
         min=1.0,
         max=10.0,
         default=3.1,
@@ -140,7 +153,7 @@ class BoxmorphSettings(SearchProperties, bpy.types.PropertyGroup):
     parts_collection: PointerProperty(
         name="Boxes",
         description="A collection of cubes that stand around the parts, to be used as they are; "
-        "empty: the parts are found",
+        "empty: the parts are found. For an object that is split otherwise than you would",
         type=bpy.types.Collection,
         **_LIVE,
     )
@@ -150,8 +163,12 @@ class BoxmorphSettings(SearchProperties, bpy.types.PropertyGroup):
         default=True,
     )
 
-    frame_from: IntProperty(name="From Frame", description="Frame of the first keyframe", default=1)
-    frame_to: IntProperty(name="To Frame", description="Frame of the second keyframe", default=60)
+    frame_from: IntProperty(
+        name="From Frame", description="Frame of the first keyframe: the animation starts here", default=1
+    )
+    frame_to: IntProperty(
+        name="To Frame", description="Frame of the last keyframe: the animation ends here", default=60
+    )
     alpha_from: FloatProperty(
         name="From Value",
         description="Slider value at the first frame: 0 is the object as it was, 1 the prompt, "

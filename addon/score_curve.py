@@ -31,7 +31,7 @@ def measure(obj, context, key, alpha_from, alpha_to, renderer=None):
     guide = engine.open_guide()
     prompt = shape_key.records(obj.data)[key.name]["prompt"]
     arrays, mesh = engine.searched(obj, context)
-    outcome = _seen(obj, context, key, arrays) @ arrays.place.T
+    outcome = seen(obj, context, key, arrays) @ arrays.place.T
     alphas = np.linspace(*sorted((alpha_from, alpha_to)), SAMPLES)
     try:
         scores = boxmorph.spectrum_scores(
@@ -60,8 +60,11 @@ def text(report):
     return f"{scores[0]:.2f} {bars} {scores[-1]:.2f}"
 
 
-def _seen(obj, context, key, arrays):
-    """Return the outcome's positions as searched, (n,3) float32 in the object's own coordinates."""
+def seen(obj, context, key, arrays):
+    """Return the outcome's positions at value 1 as searched, (n,3) float32 in the object's own coordinates.
+
+    `arrays` are those of the object. Raises Refusal where modifiers give the outcome other vertices.
+    """
     if arrays.points is None:
         return mesh_io.key_positions(key)
     index = obj.data.shape_keys.key_blocks.find(key.name)

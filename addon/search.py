@@ -10,7 +10,7 @@ from contextlib import suppress
 
 import numpy as np
 
-from . import engine, mesh_io, modifiers, parts, spanning
+from . import control, engine, mesh_io, modifiers, parts, progress_pictures, spanning
 from .errors import Refusal
 from .preferences import preferences
 from .shape_key import Trial
@@ -38,8 +38,21 @@ class Search:
         self._boxmorph = engine.library()
         guide = engine.open_guide()
         self.prompt, self.unknown = engine.checked_prompt(guide, prompt)
+        self.provider_note = guide.provider_note
         self.nearest = {word: guide.nearest_words(word, 1) for word in self.unknown}
         self.arrays, mesh = engine.searched(obj, context)
+        #: What was asked for, by the names of SearchProperties.
+        self.asked = {
+            "prompt": self.prompt,
+            "preset": preset,
+            "seed": seed,
+            "splits": str(splits),
+            "symmetry": symmetry,
+            "keep_size": keep_size,
+            "least_scale": least_scale,
+            "greatest_scale": greatest_scale,
+            "shift_parts": shift_parts,
+        }
         self.uid, self.object_name = obj.session_uid, obj.name
         self.shared_by = obj.data.users
         self.locked = parts.locks(obj)
@@ -78,6 +91,8 @@ class Search:
         if self.unknown:
             words = ", ".join(self._unknown(word) for word in self.unknown[:6])
             notes.append(f"The guide does not know {words} and goes by the other words")
+        if self.provider_note is not None:
+            notes.append(engine.capitalised(self.provider_note))
         if self.arrays.left_out:
             notes.append(
                 f"Searching on the rest shape, without the modifiers {', '.join(self.arrays.left_out)}"
@@ -116,6 +131,15 @@ class Search:
         self._shown_score, positions = best
         self._trial.write(obj, self.arrays.to_object(positions))
 
+    def hide(self, obj):
+        """Take the preview back for now; the next one shows again what is best."""
+        self._trial.take_back(obj)
+        self._shown_score = None
+
+    def best_view(self):
+        """Return a picture of the best so far, (SIZE, SIZE, 4) uint8, first row on top. There must be one."""
+        return self._job.best_view(progress_pictures.SIZE)
+
     def keep(self, obj, context):
         """Make the finished search's result the outcome shape key of `obj`. Raises Refusal if it failed."""
         try:
@@ -129,6 +153,8 @@ class Search:
             raise Refusal("The search ended in coordinates that are not numbers; nothing was changed")
         report = dict(result.report())
         report["object"] = self.object_name
+        report["asked"] = self.asked
+        report["parts_id"] = parts.identity(result.graph)
         coarse = spanning.coarse_faces(self.arrays.vertices, self.arrays.triangles, result.graph)
         report["coarse_faces"] = len(coarse)
         report["worst_shear"] = spanning.worst_shear(
@@ -139,6 +165,7 @@ class Search:
             # JSON knows no infinity.
             report["modifiers_depart"] = self._away if np.isfinite(self._away) else None
         self.name = self._trial.keep(obj, positions, result.slider_min, result.slider_max, report)
+        control.update_limits(self._trial.key(obj))
         report["shape_key"] = self.name
         self.result, self.report = result, report
 

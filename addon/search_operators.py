@@ -1,92 +1,78 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The operators that search: deform to a prompt, and cancel."""
+"""The operators that search: deform to a prompt, cancel, take an object out of the queue."""
 
 import bpy
-from bpy.app.handlers import persistent
+from bpy.props import BoolProperty, IntProperty
 
-from .errors import Refusal
-from .progress import progress_text
+from . import history, mesh_io, running
+from .errors import Refusal, remember, tell, tells_refusals
 from .properties import SearchProperties
-from .redraw import redraw_panels
+from .running import Request
 from .search import Search
-
-_TICK_SECONDS = 0.1
 
 #: Events that push no undo step.
 _NAVIGATION = frozenset(("MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "WHEELINMOUSE", "WHEELOUTMOUSE"))
 
-
-class _Running:
-    """The one modal search of this Blender, as the panel and the handlers see it."""
-
-    search = None
-    stop = False
-    undone = False
-    #: Whether the user did something meanwhile, so that there may be undo steps that hold the preview.
-    touched = False
-    #: The prompt that the last undo step of ours holds.
-    prompt = None
-    timer = None
-    workspace = ""
-
-
-def running_progress():
-    """Return the progress of the running search, or None."""
-    return None if _Running.search is None else _Running.search.progress
-
-
-def stop_running():
-    """End a running search, wait for it and take its preview back; for unregister()."""
-    search = _Running.search
-    if search is None:
-        return
-    search.cancel(wait=True)
-    obj = search.find_object()
-    if obj is not None:
-        search.take_back(obj)
-    _clear()
+_LET_GO_SECONDS = 0.1
 
 
 class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
-    """Search a deformation of the active object that looks like the prompt, and add it as a shape key"""
+    """Search a deformation of the active object that looks like the prompt, and add it as a shape key. While
+    a search runs, the object waits for its end
+    """
 
     bl_idname = "boxmorph.deform"
     bl_label = "Deform to Prompt"
     # Not REGISTER: "Adjust Last Operation" would search again at each change of a number.
     bl_options = {"UNDO"}
 
+    all_selected: BoolProperty(
+        name="All Selected",
+        description="Deform all selected mesh objects, one after another, not only the active one",
+        default=False,
+        options={"SKIP_SAVE"},
+    )
+
+    @tells_refusals
     def execute(self, context):
         """Search and wait for the end: the way of scripts and of `blender --background`."""
-        try:
-            search = self._begin(context)
-            search.run()
-            search.keep(context.active_object, context)
-        except Refusal as refusal:
-            return self._refuse(refusal)
-        self._report(search, context.active_object)
-        return {"FINISHED"}
+        requests = self._requests(context)
+        kept = 0
+        for request in requests:
+            try:
+                search = self._search(context, request)
+                search.run()
+                search.keep(request.find_object(), context)
+            except Refusal as refusal:
+                if len(requests) == 1:
+                    raise
+                remember(str(refusal))
+                self.report({"WARNING"}, str(refusal))
+            else:
+                kept += 1
+                self._tell(search, request.find_object())
+        return {"FINISHED"} if kept else {"CANCELLED"}
 
     def invoke(self, context, _event):
         """Search beside the user's work: polled by a timer, with the best so far shown on the object."""
         try:
-            _Running.search = self._begin(context)
+            requests = self._requests(context)
+            if running.running.search is not None:
+                return self._queue(requests)
         except Refusal as refusal:
-            return self._refuse(refusal)
-        _Running.stop = _Running.undone = _Running.touched = False
-        _remember_prompt(context.scene.boxmorph.prompt)
-        wm = context.window_manager
-        _Running.timer = wm.event_timer_add(_TICK_SECONDS, window=context.window)
-        _Running.workspace = context.workspace.name
-        for handlers in _undo_handlers():
-            handlers.append(_before_undo)
-        wm.modal_handler_add(self)
-        _show_status()
+            return tell(self, refusal)
+        running.begin(context, requests)
+        if not self._start_next(context):
+            return {"CANCELLED"}
+        history.remember(requests[0].settings["prompt"])
+        running.push_prompt(context.scene.boxmorph.prompt)
+        context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
 
     def modal(self, context, event):
-        search = _Running.search
-        if search is None:
-            _clear()
+        state = running.running
+        if state.search is None:
+            running.end()
             return {"CANCELLED"}
         if event.value == "PRESS" and (
             event.type == "ESC" or (event.type == "Z" and (event.ctrl or event.oskey))
@@ -94,24 +80,23 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             return self._give_up("Cancelled; the object is as it was")
         if event.type != "TIMER":
             if event.value == "PRESS" and event.type not in _NAVIGATION:
-                _Running.touched = True
+                state.touched = True
             return {"PASS_THROUGH"}
-        if _Running.undone:
+        if state.undone:
             return self._give_up("Cancelled by undo")
-        if _Running.stop:
+        if state.stop:
             return self._give_up("Cancelled; the object is as it was")
-        return self._tick(search, context)
+        return self._tick(state.search, context)
 
     def cancel(self, _context):
         """Blender ends the operator itself: another file is loaded, or it quits."""
-        search = _Running.search
-        if search is not None:
-            search.cancel(wait=True)
-        _clear()
+        if running.running.search is not None:
+            running.running.search.cancel(wait=True)
+        running.end()
 
     def _tick(self, search, context):
         ended = search.poll()
-        _show_status()
+        running.show_status()
         obj = search.find_object()
         if obj is None:
             name = search.object_name
@@ -125,88 +110,90 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             search.keep(obj, context)
         except Refusal as refusal:
             search.take_back(obj)
-            _clear()
-            return self._refuse(refusal)
-        _clear()
-        self._report(search, obj)
-        return {"FINISHED"}
+            done = tell(self, refusal)
+        else:
+            done = {"FINISHED"}
+            self._tell(search, obj)
+            if running.running.waiting:
+                bpy.ops.ed.undo_push(message=self.bl_label)
+        return {"PASS_THROUGH"} if self._start_next(context) else done
 
-    def _begin(self, context):
-        # No poll() for this: Blender would keep the button under the mouse grey after the search.
-        if _Running.search is not None:
-            raise Refusal("A search is running. Wait for it, or cancel it with Esc")
+    def _requests(self, context):
+        """Return what is to be searched: the active object or all selected ones, each mesh once."""
         settings = context.scene.boxmorph
         chosen = {
             name: getattr(self if self.properties.is_property_set(name) else settings, name)
             for name in SearchProperties.__annotations__
         }
-        search = Search(context, context.active_object, **chosen)
+        objects = [context.active_object]
+        if self.all_selected:
+            selected = {obj.data: obj for obj in reversed(context.selected_objects) if obj.type == "MESH"}
+            objects = sorted(selected.values(), key=lambda obj: (obj != context.active_object, obj.name))
+        if not objects or objects[0] is None:
+            mesh_io.deformable(None)
+        return [Request(obj.session_uid, obj.name, chosen) for obj in objects]
+
+    def _search(self, context, request):
+        search = Search(context, request.find_object(), **request.settings)
         for note in search.notes():
             self.report({"WARNING"}, note)
         return search
 
+    def _queue(self, requests):
+        """Let objects wait for the search that runs. Not FINISHED: an undo step would hold the preview."""
+        new = [request for request in requests if not running.is_asked_for(request.find_object())]
+        if not new:
+            raise Refusal(
+                f"“{requests[0].name}” is searched or waits already. Cancel the search with Esc to begin anew"
+            )
+        running.running.waiting += new
+        names = ", ".join(f"“{request.name}”" for request in new)
+        self.report({"INFO"}, f"{names} {'waits' if len(new) == 1 else 'wait'} for the search that runs")
+        return {"CANCELLED"}
+
+    def _start_next(self, context):
+        """Start the next search that can be; return whether there is one. Without any, all is forgotten."""
+        waiting = running.running.waiting
+        while waiting:
+            request = waiting.pop(0)
+            try:
+                if request.find_object() is None:
+                    raise Refusal(f"“{request.name}” was deleted before its search began")
+                running.start(self._search(context, request))
+            except Refusal as refusal:
+                remember(str(refusal))
+                self.report({"WARNING" if waiting else "ERROR"}, str(refusal))
+            else:
+                return True
+        running.end()
+        return False
+
     def _give_up(self, message):
-        search = _Running.search
+        state = running.running
+        search = state.search
         search.cancel()
         obj = search.find_object()
         if obj is not None and obj.mode != "OBJECT":
             # The edits of this mode are the user's: the preview goes when they leave it.
-            _Running.stop = True
+            state.stop = True
             return {"PASS_THROUGH"}
-        if obj is not None and search.take_back(obj) and _Running.touched:
+        if obj is not None and search.take_back(obj) and state.touched:
             # Undo of what comes next would else lead to a step that holds the preview.
             bpy.ops.ed.undo_push(message="Cancel Deform to Prompt")
-        _clear()
+        running.end()
         self.report({"INFO"}, message)
         return {"CANCELLED"}
 
-    def _report(self, search, obj):
+    def _tell(self, search, obj):
         for note in search.departures(obj):
             self.report({"WARNING"}, note)
         for note in search.shear():
             self.report({"INFO"}, note)
         self.report({"INFO"}, search.summary())
 
-    def _refuse(self, refusal):
-        self.report({"ERROR"}, str(refusal))
-        return {"CANCELLED"}
-
-
-def _remember_prompt(prompt):
-    """Make an undo step of a new prompt: fields with suggestions make none, and undoing the outcome would
-    take the prompt along.
-    """
-    if prompt != _Running.prompt:
-        bpy.ops.ed.undo_push(message="Prompt")
-        _Running.prompt = prompt
-
-
-def _show_status():
-    _set_status(f"Boxmorph: {progress_text(_Running.search.progress)}   Esc: Cancel")
-
-
-def _set_status(text):
-    workspace = bpy.data.workspaces.get(_Running.workspace)
-    if workspace is not None:
-        workspace.status_text_set(text)
-    redraw_panels()
-
-
-def _clear():
-    """Forget the search: its timer, its handlers, its text in the status bar."""
-    _Running.search = None
-    if _Running.timer is not None:
-        if bpy.context.window_manager is not None:
-            bpy.context.window_manager.event_timer_remove(_Running.timer)
-        _Running.timer = None
-    for handlers in _undo_handlers():
-        if _before_undo in handlers:
-            handlers.remove(_before_undo)
-    _set_status(None)
-
 
 class BOXMORPH_OT_cancel(bpy.types.Operator):
-    """Stop the search and leave the object as it was"""
+    """Stop the search and leave the object as it was; objects that wait are not searched"""
 
     bl_idname = "boxmorph.cancel"
     bl_label = "Cancel"
@@ -214,29 +201,58 @@ class BOXMORPH_OT_cancel(bpy.types.Operator):
 
     @classmethod
     def poll(cls, _context):
-        return _Running.search is not None
+        return running.running.search is not None
 
     def execute(self, _context):
-        _Running.stop = True
+        running.running.stop = True
         return {"FINISHED"}
 
 
-def _undo_handlers():
-    return bpy.app.handlers.undo_pre, bpy.app.handlers.redo_pre
+class BOXMORPH_OT_unqueue(bpy.types.Operator):
+    """Do not search this object"""
+
+    bl_idname = "boxmorph.unqueue"
+    bl_label = "Remove from Queue"
+    bl_options = {"INTERNAL"}
+
+    index: IntProperty(min=0)
+
+    def execute(self, _context):
+        waiting = running.running.waiting
+        if self.index >= len(waiting):
+            return {"CANCELLED"}
+        del waiting[self.index]
+        return {"FINISHED"}
 
 
-@persistent
-def _before_undo(*_):
-    # Undo keeps a mesh that no undo step changed, and frees a Key that no step knows: the preview must go
-    # first, or the mesh would point to freed memory. Entering Edit Mode has made a step that knows the Key.
-    search = _Running.search
-    if search is None:
-        return
-    _Running.undone = True
-    search.cancel()
-    obj = search.find_object()
-    if obj is not None and obj.mode == "OBJECT":
-        search.take_back(obj)
+def register_operators():
+    """Register the operators."""
+    for cls in classes:
+        bpy.utils.register_class(cls)
 
 
-classes = (BOXMORPH_OT_deform, BOXMORPH_OT_cancel)
+def unregister_operators():
+    """Unregister the operators, and end a running search.
+
+    The operator of a running search stays until Blender has let go of it: Blender 4.3 crashes when the class
+    of a running operator goes and the same event starts another, as an update of extensions does.
+    """
+    ran = running.stop_running()
+    for cls in reversed(classes):
+        if not (ran and cls is BOXMORPH_OT_deform):
+            bpy.utils.unregister_class(cls)
+    if ran:
+        bpy.app.timers.register(_unregister_when_ended, first_interval=_LET_GO_SECONDS)
+
+
+def _unregister_when_ended():
+    """Called by a timer: unregister the operator, unless it runs or a newer one has taken its place."""
+    windows = bpy.context.window_manager.windows
+    if any(o.bl_idname == "BOXMORPH_OT_deform" for window in windows for o in window.modal_operators):
+        return _LET_GO_SECONDS
+    if BOXMORPH_OT_deform.is_registered:
+        bpy.utils.unregister_class(BOXMORPH_OT_deform)
+    return None
+
+
+classes = (BOXMORPH_OT_deform, BOXMORPH_OT_cancel, BOXMORPH_OT_unqueue)

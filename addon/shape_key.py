@@ -4,9 +4,10 @@ data-block.
 
 A key that Boxmorph made is known by its record: JSON in the custom property `boxmorph` of the mesh's Key
 data-block, from key name to report. Only such a key is ever replaced; a key of the artist's own that bears
-the same name stays, and Blender numbers ours.
+the same name stays, and Blender numbers ours. A record follows its key where the user renames it.
 """
 
+import hashlib
 import json
 
 import numpy as np
@@ -23,6 +24,13 @@ _VALUE = "value_before_pieces"
 #: Custom property of a Key data-block whose Basis was made for the outcomes, and goes with the last of them.
 _OWN_BASIS = "boxmorph_basis"
 
+#: In every record: a hash of the key's positions, by which a renamed key is known. A shape key has no
+#: identity of its own besides its name.
+_FINGERPRINT = "fingerprint"
+
+#: Vertices that are hashed at most: records are read whenever the panel is drawn.
+_HASHED = 4096
+
 #: Shape key names are at most 63 bytes in Blender 4.2.
 _NAME_BYTES = 60
 
@@ -36,15 +44,58 @@ def key_name(prompt):
 
 
 def records(mesh):
-    """Return the reports of the outcomes of `mesh` that still exist, by key name, oldest first."""
+    """Return the reports of the outcomes of `mesh` that still exist, by key name, oldest first.
+
+    An outcome that was renamed in Blender's own list is there by its new name. Writes nothing, so that the
+    panel may call it.
+    """
     keys = mesh.shape_keys
-    if keys is None:
-        return {}
+    stored = _stored(keys)
+    renamed = _renamed(keys, stored)
+    # A key that was given the name of a deleted one brings its own record.
+    kept = {name: report for name, report in stored.items() if name not in renamed.values()}
+    present = ((renamed.get(name, name), report) for name, report in kept.items())
+    return {name: report for name, report in present if name in keys.key_blocks}
+
+
+def follow_renames(mesh):
+    """Store the records of renamed outcomes by their new names, before a key takes an old one."""
+    keys = mesh.shape_keys
+    if _renamed(keys, _stored(keys)):
+        _store(keys, records(mesh))
+
+
+def _stored(keys):
+    """Return the records as they were stored last, by the names that the keys had then."""
     try:
-        stored = json.loads(keys.get(RECORDS, "{}"))
+        return {} if keys is None else json.loads(keys.get(RECORDS, "{}"))
     except (TypeError, ValueError):
         return {}
-    return {name: report for name, report in stored.items() if name in keys.key_blocks}
+
+
+def _renamed(keys, stored):
+    """Return the new names, by the old, of keys that were renamed since they were stored: a record whose key
+    is gone belongs to the one key that holds its positions, unless that has a record that fits it too.
+    """
+    gone = [name for name in stored if name not in keys.key_blocks]
+    if not gone:
+        return {}
+    others = {keys.reference_key.name}.union(*(report.get(PIECES, ()) for report in stored.values()))
+    strangers = {}
+    for key in keys.key_blocks:
+        if key.name not in others:
+            fingerprint = _fingerprint(key)
+            if stored.get(key.name, {}).get(_FINGERPRINT) != fingerprint:
+                strangers.setdefault(fingerprint, []).append(key.name)
+    found = {name: strangers.get(stored[name].get(_FINGERPRINT), ()) for name in gone}
+    return {name: names[0] for name, names in found.items() if len(names) == 1}
+
+
+def _fingerprint(key):
+    """Return a hash of a shape key's positions; of dense meshes, of some of them."""
+    positions = key_positions(key)
+    sample = np.ascontiguousarray(positions[:: len(positions) // _HASHED + 1])
+    return hashlib.blake2b(sample.tobytes(), digest_size=8, key=str(len(positions)).encode()).hexdigest()
 
 
 def outcomes(mesh):
@@ -146,7 +197,11 @@ def _remove_key(obj, key):
 
 def _store(keys, stored):
     if stored:
-        keys[RECORDS] = json.dumps(stored, ensure_ascii=False)
+        blocks = keys.key_blocks
+        marked = {
+            name: report | {_FINGERPRINT: _fingerprint(blocks[name])} for name, report in stored.items()
+        }
+        keys[RECORDS] = json.dumps(marked, ensure_ascii=False)
     elif RECORDS in keys:
         del keys[RECORDS]
 
@@ -167,10 +222,11 @@ class Trial:
         self.previous = None
         self.others = {}
         self.name = None
-        self._restored = False
+        self._shown = False
         self._wanted = key_name(prompt)
         if keys is None:
             return
+        follow_renames(obj.data)
         for key in outcomes(obj.data):
             if key.name == self._wanted:
                 self.previous = _KeyState(key)
@@ -186,7 +242,7 @@ class Trial:
         """Put `positions`, (n,3) float32, into the key, making it if need be, and show it at value 1."""
         mesh = obj.data
         key = self.key(obj)
-        if key is None:
+        if key is None or not self._shown:
             key = self._create(obj)
         key.points.foreach_set("co", np.ascontiguousarray(positions, np.float32).ravel())
         mesh.update()
@@ -210,15 +266,15 @@ class Trial:
     def take_back(self, obj):
         """Restore the keys of `obj` as they were before the trial; return whether there was something to do.
 
-        Calling it again takes back a key that undo has brought again.
+        Calling it again takes back a key that undo has brought again; writing again shows it again.
         """
         keys = obj.data.shape_keys
         key = self.key(obj)
-        if key is None or self._restored:
+        if key is None or (self.previous is not None and not self._shown):
             return False
+        self._shown = False
         if self.previous is not None:
             self.previous.restore(key)
-            self._restored = True
         elif not self.had_keys and len(keys.key_blocks) == 2:
             obj.shape_key_clear()
         else:
@@ -255,6 +311,7 @@ class Trial:
         key.mute = False
         key.slider_min, key.slider_max = min(key.slider_min, 0.0), max(key.slider_max, 1.0)
         self.name = key.name
+        self._shown = True
         # Outcomes are alternatives: one that stayed at 1 would add up with this one.
         for name in self.others:
             if name in blocks:

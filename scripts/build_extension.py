@@ -111,6 +111,8 @@ def write_zip(path, manifest_text, wheel):
     with zipfile.ZipFile(path, "w") as archive:
         for name in sorted(files):
             info = zipfile.ZipInfo(name, TIMESTAMP)
+            # As on Unix, on whichever system it is built.
+            info.create_system = 3
             info.external_attr = 0o644 << 16
             # A wheel is compressed already.
             info.compress_type = zipfile.ZIP_STORED if name.endswith(".whl") else zipfile.ZIP_DEFLATED

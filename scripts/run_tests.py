@@ -2,7 +2,8 @@
 """Runs every ring of tests and ends in their counts.
 
 Ring 1: cargo. Ring 2: pytest on the built wheel, then the extension in bpy 4.2, 4.5 and 5.0.
-Ring 3: the built zip in real Blender, in a chroot: headless, and by a real click on a virtual screen.
+Ring 3: the built zip in real Blender, in a chroot: headless, out of an extensions repository, and by a real
+mouse on a virtual screen.
 What a machine cannot provide is left out, by name, at the end.
 """
 
@@ -89,7 +90,7 @@ def main() -> int:
         if provision.returncode:
             tally.leave_out(f"real {name}: its chroot ({suite}) could not be made")
             continue
-        for script in ("run_headless.py", "run_screen.py"):
+        for script in ("run_headless.py", "run_repository.py", "run_install.py", "run_screen.py"):
             command = [sys.executable, f"tests/blender/{script}", str(CHROOTS / suite)]
             tally.run(f"Ring 3: {script} in real {name}", command)
     print("\n" + "".join(f"left out: {what}\n" for what in tally.left_out))

@@ -10,6 +10,8 @@ pub struct GuideRecord {
     pub name: String,
     /// SHA-256 over its files.
     pub sha256: String,
+    /// What encoded the images: "cpu", or another execution provider of ONNX Runtime.
+    pub provider: String,
 }
 
 /// The record of one outcome. Lengths are in the object's unit, times in seconds.

@@ -19,9 +19,13 @@ from ._boxmorph import (
     RenderError,
     Result,
     __version__,
+    execution_providers,
+    graphics_adapter,
     metrics,
     own_turn,
     render,
+    runtime_library,
+    runtime_version,
     spectrum_scores,
 )
 
@@ -35,9 +39,13 @@ __all__ = [
     "RenderError",
     "Result",
     "__version__",
+    "execution_providers",
+    "graphics_adapter",
     "metrics",
     "own_turn",
     "render",
+    "runtime_library",
+    "runtime_version",
     "spectrum_scores",
 ]
 

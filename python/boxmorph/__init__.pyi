@@ -2,6 +2,7 @@
 # Vertices are in object coordinates, any unit, z up.
 from collections.abc import Sequence
 from os import PathLike
+from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
@@ -14,6 +15,7 @@ __version__: str
 Boundary = Literal["smooth", "paper"]
 Symmetry = Literal["auto", "none", "x", "y", "z", "xy"]
 Renderer = Literal["auto", "cpu", "gpu"]
+Provider = Literal["auto", "cpu", "cuda", "directml", "coreml", "migraphx", "openvino"]
 
 class GuideError(Exception): ...
 class RenderError(Exception): ...
@@ -120,8 +122,15 @@ class Guide:
     """A text–image model. Embeddings are unit vectors."""
 
     @staticmethod
-    def open(path: str | PathLike[str] | None = None, threads: int | None = None) -> Guide:
-        """Opens a guide's folder; None: the embedded guide. Raises GuideError."""
+    def open(
+        path: str | PathLike[str] | None = None, threads: int | None = None, provider: Provider = "auto"
+    ) -> Guide:
+        """Opens a guide's folder; None: the embedded guide. Raises GuideError.
+
+        `provider` encodes the images. "auto" is the processor, so that results are the same everywhere; but
+        a large guide goes to the graphics card where an ONNX Runtime library of your own has one. A provider
+        that cannot be used is replaced by the processor, and `provider_note` says why.
+        """
 
     def text_embedding(self, text: str) -> NDArray[np.float32]: ...  # (d,)
     def image_embeddings(
@@ -142,6 +151,24 @@ class Guide:
     def name(self) -> str: ...
     @property
     def sha256(self) -> str: ...
+    @property
+    def provider(self) -> str: ...
+    @property
+    def provider_note(self) -> str | None: ...
+
+def execution_providers() -> list[Provider]:
+    """What the library of ONNX Runtime offers to run a guide on, the processor last. Raises GuideError where
+    the library cannot be opened.
+    """
+
+def runtime_library() -> Path:
+    """The file of ONNX Runtime's library, opened if need be. Raises GuideError."""
+
+def runtime_version() -> str:
+    """The version of ONNX Runtime's library, opened if need be. Raises GuideError."""
+
+def graphics_adapter() -> str | None:
+    """The name of the graphics card that renderer "auto" takes; None where there is no real one."""
 
 def render(
     vertices: NDArray[np.float32],  # (n, 3)
@@ -203,6 +230,9 @@ class Job:
 
     def best(self) -> tuple[float, NDArray[np.float32]] | None:
         """Score and positions of the best so far: of `points` where given, else of the mesh."""
+
+    def best_view(self, size: int = 96) -> NDArray[np.uint8] | None:
+        """A picture of the best so far from the front right, RGBA with straight alpha, (size, size, 4)."""
 
     def cancel(self) -> None: ...
     def join(self) -> None:

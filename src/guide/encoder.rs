@@ -10,6 +10,7 @@ use ort::value::{Tensor, TensorRef, ValueType};
 use rayon::prelude::*;
 
 use super::GuideError;
+use super::Provider;
 use super::preprocess::Preprocess;
 use super::text::Tokens;
 
@@ -31,13 +32,29 @@ impl Encoder {
         environment: &Environment,
         file: &'static str,
         model: &[u8],
+        provider: Provider,
         sessions: usize,
         intra_threads: usize,
     ) -> Result<Self, GuideError> {
         let bad = |reason: String| GuideError::BadModel { file, reason };
         let open = || -> Result<Session, GuideError> {
-            Session::builder(environment)
-                .map_err(|e| bad(e.to_string()))?
+            let mut builder = Session::builder(environment).map_err(|e| bad(e.to_string()))?;
+            let ways = provider.ways(intra_threads);
+            for (number, way) in ways.iter().enumerate() {
+                match builder.with_execution_providers(std::slice::from_ref(way)) {
+                    Ok(told) => {
+                        builder = told;
+                        break;
+                    }
+                    Err(error) if number + 1 == ways.len() => return Err(bad(error.to_string())),
+                    Err(error) => builder = error.recover(),
+                }
+            }
+            if provider == Provider::DirectMl {
+                // It takes no other.
+                builder = builder.with_memory_pattern(false).map_err(|e| bad(e.to_string()))?;
+            }
+            builder
                 .with_optimization_level(GraphOptimizationLevel::Level3)
                 .map_err(|e| bad(e.to_string()))?
                 .with_intra_threads(intra_threads)

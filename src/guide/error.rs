@@ -76,6 +76,14 @@ pub enum GuideError {
         /// What the loader says.
         reason: String,
     },
+    /// No execution provider has this name.
+    #[error("unknown execution provider \"{name}\": choose {known}")]
+    UnknownProvider {
+        /// The name given.
+        name: String,
+        /// Those there are.
+        known: String,
+    },
     /// The image array has the wrong size.
     #[error(
         "the guide reads RGB images of {size} × {size} pixels; {bytes} bytes are not a whole number of them"
@@ -118,6 +126,7 @@ impl GuideError {
             self,
             Self::ImageBytes { .. }
                 | Self::EmptyPrompt
+                | Self::UnknownProvider { .. }
                 | Self::LongPrompt { .. }
                 | Self::UnknownPrompt { .. }
         )

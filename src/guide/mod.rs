@@ -9,6 +9,7 @@ mod encoder;
 mod error;
 mod files;
 mod preprocess;
+mod provider;
 mod runtime;
 mod suggest;
 mod text;
@@ -17,7 +18,8 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 pub use error::GuideError;
-pub use runtime::set_default_library;
+pub use provider::Provider;
+pub use runtime::{library as runtime_library, set_default_library, version as runtime_version};
 
 use encoder::Encoder;
 use files::GuideFiles;
@@ -51,6 +53,8 @@ pub struct Guide {
     vision: Encoder,
     text_encoder: Encoder,
     dimension: usize,
+    provider: Provider,
+    provider_note: Option<String>,
 }
 
 impl std::fmt::Debug for Guide {
@@ -60,30 +64,67 @@ impl std::fmt::Debug for Guide {
 }
 
 impl Guide {
-    /// Opens the guide in `folder`, or the embedded one. `threads` defaults to the machine's.
-    pub fn open(folder: Option<&Path>, threads: Option<usize>) -> Result<Self, GuideError> {
+    /// Opens the guide in `folder`, or the embedded one. `threads` defaults to the machine's; `provider`, which
+    /// encodes the images, to the processor, or for a large guide to a graphics card where a library of the
+    /// user's own has one.
+    ///
+    /// A provider that cannot be used is no error: the processor takes its place, and
+    /// [`Guide::provider_note`] says why.
+    pub fn open(
+        folder: Option<&Path>,
+        threads: Option<usize>,
+        provider: Option<Provider>,
+    ) -> Result<Self, GuideError> {
         let files = match folder {
             Some(folder) => GuideFiles::read(folder)?,
             None => GuideFiles::embedded()?,
         };
         let threads = threads.unwrap_or_else(available_threads).max(1);
-        let environment = runtime::environment()?;
         let small = files.vision.len() <= SMALL_MODEL_BYTES;
-        let (sessions, intra) = if small { (threads, 1) } else { (1, threads) };
-        let vision = Encoder::open(&environment, "vision_model.onnx", &files.vision, sessions, intra)?;
-        let text_encoder = Encoder::open(&environment, "text_model.onnx", &files.text, 1, intra)?;
+        let wanted = match provider {
+            Some(provider) => provider,
+            None => provider::automatic(small)?,
+        };
+        let mut note = None;
+        if !wanted.is_offered()? {
+            note = Some(wanted.missing());
+        } else if wanted != Provider::Cpu {
+            match Self::of_files(&files, threads, small, wanted) {
+                Ok(guide) => return Ok(guide),
+                Err(error) => note = Some(wanted.failed(&error)),
+            }
+        }
+        let guide = Self::of_files(&files, threads, small, Provider::Cpu)?;
+        Ok(Self { provider_note: note, ..guide })
+    }
+
+    fn of_files(
+        files: &GuideFiles,
+        threads: usize,
+        small: bool,
+        provider: Provider,
+    ) -> Result<Self, GuideError> {
+        let environment = runtime::environment()?;
+        let (sessions, intra) = if small && provider == Provider::Cpu { (threads, 1) } else { (1, threads) };
+        let vision =
+            Encoder::open(&environment, "vision_model.onnx", &files.vision, provider, sessions, intra)?;
+        // One prompt a search: not worth another device's start.
+        let text_encoder =
+            Encoder::open(&environment, "text_model.onnx", &files.text, Provider::Cpu, 1, intra)?;
         let text = Text::new(&files.tokenizer, files.max_tokens())?;
         let preprocess = Preprocess::from_json(&files.preprocessor)?;
         let mut guide = Self {
             hash: files.hash(),
             classes: files.classes(),
             class_embeddings: OnceLock::new(),
-            name: files.name,
+            name: files.name.clone(),
             preprocess,
             text,
             vision,
             text_encoder,
             dimension: 0,
+            provider,
+            provider_note: None,
         };
         guide.dimension = guide.check_dimensions()?;
         Ok(guide)
@@ -105,6 +146,18 @@ impl Guide {
     #[must_use]
     pub fn classes(&self) -> &[String] {
         &self.classes
+    }
+
+    /// What encodes the images.
+    #[must_use]
+    pub fn provider(&self) -> Provider {
+        self.provider
+    }
+
+    /// A sentence on why the provider that was asked for is not used; none where it is.
+    #[must_use]
+    pub fn provider_note(&self) -> Option<&str> {
+        self.provider_note.as_deref()
     }
 
     /// Side of the square images it reads, in pixels.

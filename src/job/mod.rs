@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! A deformation job: mesh and prompt in, outcome out, on a thread of its own.
 
+mod background;
 mod error;
 mod outcome;
 mod progress;
@@ -23,7 +24,7 @@ pub use spectrum_scores::spectrum_scores;
 use crate::boxdef::{Boundary, BoxDefGraph, Symmetry};
 use crate::guide::Guide;
 use crate::mesh::Mesh;
-use crate::render::Backend;
+use crate::render::{Backend, RenderError};
 use crate::search::{KeepPlace, KeepSize, Preset, SearchSpace};
 use progress::Harness;
 
@@ -122,7 +123,8 @@ impl Job {
         let (spec, harness, outcome) = (self.spec.clone(), self.harness.clone(), self.outcome.clone());
         harness.start();
         let work = move || {
-            let result = catch_unwind(AssertUnwindSafe(|| run::run(&spec, &harness)));
+            let run = || background::in_background(|| run::run(&spec, &harness));
+            let result = catch_unwind(AssertUnwindSafe(run));
             let result = result.unwrap_or_else(|panic| Err(JobError::from_panic(panic.as_ref())));
             *lock(&outcome) = Some(result.map(Arc::new));
             harness.finish();
@@ -143,6 +145,12 @@ impl Job {
     #[must_use]
     pub fn best(&self) -> Option<(f64, Vec<Vec3>)> {
         self.harness.best().map(|best| (best.score, best.positions(&self.spec)))
+    }
+
+    /// A picture of the best candidate so far from the front right, once there is one: RGBA8 with straight alpha,
+    /// size × size × 4, rows from the top. `size` is 8 to 2048.
+    pub fn best_view(&self, size: u32) -> Result<Option<Vec<u8>>, RenderError> {
+        self.harness.best().map(|best| best.view(size)).transpose()
     }
 
     /// Asks the work to stop; it does within one generation.

@@ -8,6 +8,7 @@ use glam::Vec3;
 use super::JobSpec;
 use super::proxy::Proxy;
 use crate::boxdef::{BoxDefError, BoxDefGraph, DeformField};
+use crate::render::{self, Backend, RenderError};
 use crate::report::Report;
 use crate::search::Gauge;
 use crate::spectrum::SliderLimits;
@@ -19,6 +20,8 @@ pub struct Stage {
     pub graph: Arc<BoxDefGraph>,
     pub whole: Arc<DeformField>,
     pub scored: Arc<DeformField>,
+    /// Triangles of what is scored.
+    pub triangles: Arc<[[u32; 3]]>,
     pub points_field: Option<DeformField>,
 }
 
@@ -32,8 +35,9 @@ impl Stage {
     ) -> Result<Self, BoxDefError> {
         let whole = if spec.shift_parts { Arc::new(graph.field_with_shifts()) } else { graph.shared_field() };
         let scored = proxy.field(whole.clone());
+        let triangles = proxy.mesh().triangles().into();
         let points_field = spec.points.as_ref().map(|points| graph.field_at(&whole, points)).transpose()?;
-        Ok(Self { splits, graph, whole, scored, points_field })
+        Ok(Self { splits, graph, whole, scored, triangles, points_field })
     }
 }
 
@@ -50,6 +54,13 @@ impl Best {
     pub fn positions(&self, spec: &JobSpec) -> Vec<Vec3> {
         let (gauge, vertices) = self.gauged(spec);
         self.points(gauge).unwrap_or(vertices)
+    }
+
+    /// A picture from the front right: RGBA8 with straight alpha, size × size × 4.
+    pub fn view(&self, size: u32) -> Result<Vec<u8>, RenderError> {
+        let positions = self.stage.scored.deform(&self.factors);
+        let views = render::views_by_name("paper")?;
+        render::render_positions(Backend::Cpu, &positions, &self.stage.triangles, &views[..1], size)
     }
 
     /// Scale factors, a row a parameter row.

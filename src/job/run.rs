@@ -235,7 +235,11 @@ impl Run<'_> {
             boxmorph: env!("CARGO_PKG_VERSION").into(),
             prompt: spec.prompt.clone(),
             unknown_words: spec.guide.unknown_words(&spec.prompt).unwrap_or_default(),
-            guide: GuideRecord { name: spec.guide.name().into(), sha256: spec.guide.hash().into() },
+            guide: GuideRecord {
+                name: spec.guide.name().into(),
+                sha256: spec.guide.hash().into(),
+                provider: spec.guide.provider().name().into(),
+            },
             preset: spec.preset.name.into(),
             seed: spec.seed,
             splits: best.stage.splits,

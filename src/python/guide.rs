@@ -9,13 +9,32 @@ use pyo3::prelude::*;
 
 use super::arrays;
 use super::errors::IntoPyErr;
-use crate::guide::{self, Guide};
+use crate::guide::{self, Guide, GuideError, Provider};
 
 /// Names the ONNX Runtime library to open where `ORT_DYLIB_PATH` names none.
 #[pyfunction]
 #[expect(clippy::needless_pass_by_value, reason = "pyo3 extracts owned paths")]
 pub fn set_default_library(path: PathBuf) {
     guide::set_default_library(&path);
+}
+
+/// The execution providers that ONNX Runtime's library offers, the processor last.
+#[pyfunction]
+pub fn execution_providers() -> PyResult<Vec<&'static str>> {
+    let offered = Provider::offered().map_err(|e| IntoPyErr::into_py_err(&e))?;
+    Ok(offered.into_iter().map(Provider::name).collect())
+}
+
+/// The file of ONNX Runtime's library that is in use.
+#[pyfunction]
+pub fn runtime_library() -> PyResult<PathBuf> {
+    guide::runtime_library().map_err(|e| IntoPyErr::into_py_err(&e))
+}
+
+/// The version of ONNX Runtime's library that is in use.
+#[pyfunction]
+pub fn runtime_version() -> PyResult<String> {
+    guide::runtime_version().map_err(|e| IntoPyErr::into_py_err(&e))
 }
 
 /// A text–image model.
@@ -26,10 +45,13 @@ pub struct PyGuide(pub Arc<Guide>);
 impl PyGuide {
     /// Opens the guide in a folder; None opens the embedded one.
     #[staticmethod]
-    #[pyo3(signature = (path=None, threads=None))]
+    #[pyo3(signature = (path=None, threads=None, provider="auto"))]
     #[expect(clippy::needless_pass_by_value, reason = "pyo3 extracts owned paths")]
-    fn open(py: Python<'_>, path: Option<PathBuf>, threads: Option<usize>) -> PyResult<Self> {
-        let guide = py.detach(|| Guide::open(path.as_deref(), threads));
+    fn open(py: Python<'_>, path: Option<PathBuf>, threads: Option<usize>, provider: &str) -> PyResult<Self> {
+        let guide = py.detach(|| -> Result<_, GuideError> {
+            let provider = if provider == "auto" { None } else { Some(provider.parse()?) };
+            Guide::open(path.as_deref(), threads, provider)
+        });
         Ok(Self(Arc::new(guide.map_err(|e| IntoPyErr::into_py_err(&e))?)))
     }
 
@@ -84,6 +106,18 @@ impl PyGuide {
     #[getter]
     fn sha256(&self) -> &str {
         self.0.hash()
+    }
+
+    /// What encodes the images: "cpu", or another of `execution_providers()`.
+    #[getter]
+    fn provider(&self) -> &'static str {
+        self.0.provider().name()
+    }
+
+    /// A sentence on why the provider that was asked for is not used; None where it is.
+    #[getter]
+    fn provider_note(&self) -> Option<&str> {
+        self.0.provider_note()
     }
 
     fn __repr__(&self) -> String {

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use numpy::PyArray2;
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -48,7 +48,9 @@ impl PyJob {
     ) -> PyResult<Self> {
         let guide = match guide {
             Some(guide) => guide.0.clone(),
-            None => Arc::new(py.detach(|| Guide::open(None, None)).map_err(|e| IntoPyErr::into_py_err(&e))?),
+            None => {
+                Arc::new(py.detach(|| Guide::open(None, None, None)).map_err(|e| IntoPyErr::into_py_err(&e))?)
+            }
         };
         let spec = JobSpec {
             mesh: mesh.0.as_ref().clone(),
@@ -94,6 +96,14 @@ impl PyJob {
     fn best<'py>(&self, py: Python<'py>) -> PyResult<Option<(f64, Bound<'py, PyArray2<f32>>)>> {
         let best = py.detach(|| self.0.best());
         best.map(|(score, positions)| Ok((score, arrays::from_vectors(py, &positions)?))).transpose()
+    }
+
+    /// A picture of the best so far, (size, size, 4) uint8 RGBA; None before there is one.
+    #[pyo3(signature = (size=96))]
+    fn best_view<'py>(&self, py: Python<'py>, size: u32) -> PyResult<Option<Bound<'py, PyArray3<u8>>>> {
+        let view = py.detach(|| self.0.best_view(size)).map_err(|e| IntoPyErr::into_py_err(&e))?;
+        let side = size as usize;
+        view.map(|bytes| PyArray1::from_vec(py, bytes).reshape([side, side, 4])).transpose()
     }
 
     fn cancel(&self) {

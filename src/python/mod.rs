@@ -22,13 +22,13 @@ mod _boxmorph {
     #[pymodule_export]
     use super::graph::{PyBoxDefGraph, PyMesh, own_turn};
     #[pymodule_export]
-    use super::guide::{PyGuide, set_default_library};
+    use super::guide::{PyGuide, execution_providers, runtime_library, runtime_version, set_default_library};
     #[pymodule_export]
     use super::job::{PyJob, PyResult_};
     #[pymodule_export]
     use super::metrics::metrics;
     #[pymodule_export]
-    use super::render::render;
+    use super::render::{graphics_adapter, render};
     #[pymodule_export]
     use super::spectrum::spectrum_scores;
 

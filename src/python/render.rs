@@ -6,7 +6,14 @@ use pyo3::prelude::*;
 
 use super::arrays;
 use super::errors::IntoPyErr;
-use crate::render::{Backend, RenderError, render_colored, render_positions, views_by_name};
+use crate::render::{Backend, RenderError, real_gpu, render_colored, render_positions, views_by_name};
+
+/// The name of the graphics card that the renderer "auto" takes; None where there is no real one. Asking opens
+/// the drivers, once.
+#[pyfunction]
+pub fn graphics_adapter(py: Python<'_>) -> Option<&'static str> {
+    py.detach(real_gpu)
+}
 
 /// Renders a mesh as the guide sees it: RGBA with straight alpha, (views, size, size, 4) uint8.
 ///

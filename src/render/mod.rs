@@ -50,6 +50,12 @@ impl FromStr for Backend {
     }
 }
 
+/// The name of the best adapter, where it is a real GPU; asked once a process, since asking opens the drivers.
+#[must_use]
+pub fn real_gpu() -> Option<&'static str> {
+    gpu::real_gpu()
+}
+
 /// Draws candidates of one field from fixed views; keeps its buffers between calls.
 pub trait Renderer: Send {
     /// Number of images a candidate.
@@ -80,7 +86,7 @@ pub fn open(
 ) -> Result<Box<dyn Renderer>, RenderError> {
     let scene = Scene::new(field, triangles, views, size)?;
     match backend {
-        Backend::Auto if gpu::has_real_gpu() => Ok(match gpu::GpuRenderer::new(scene) {
+        Backend::Auto if real_gpu().is_some() => Ok(match gpu::GpuRenderer::new(scene) {
             Ok(renderer) => Box::new(renderer),
             Err((_, scene)) => Box::new(cpu::CpuRenderer::new(scene)),
         }),

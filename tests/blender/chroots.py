@@ -57,6 +57,7 @@ class Bench:
         self.outside = outside  #: the folder of the files, as this machine sees it
         self.inside = f"/tmp/{outside.name}"  #: the same, as the chroot sees it
         self.zip = f"{self.inside}/{zip_name}"
+        self.outside_zip = outside / zip_name
         self.chair = f"{self.inside}/chair.blend"
 
     def run(self, *command, timeout=600):
@@ -109,6 +110,17 @@ class Counts:
     def summary(self):
         """Return the counts in one line."""
         return f"{self.passed} passed, {self.failed} failed, {self.skipped} skipped"
+
+
+def run_session(bench, counts, script, *arguments):
+    """Run a script that sits in front of the screen, inside the chroot; count the lines it prints."""
+    command = ("python3", f"/repo/tests/blender/{script}", bench.inside, "/repo/tests/artifacts", bench.suite)
+    run = bench.run(*command, *arguments, timeout=1500)
+    lines = [line for line in run.stdout.splitlines() if line.startswith(("pass  ", "FAIL  "))]
+    for line in lines:
+        counts.check(line.startswith("pass"), line[6:])
+    if run.returncode or not lines:
+        counts.check(False, "the session ran to its end", run.stdout + run.stderr)
 
 
 def run_everywhere(title, check_suite):

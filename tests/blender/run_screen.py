@@ -9,7 +9,7 @@ Screenshots of each step stay in tests/artifacts/.
 
 import sys
 
-from chroots import ARTIFACTS, run_everywhere
+from chroots import ARTIFACTS, run_everywhere, run_session
 
 
 def check_suite(bench, counts):
@@ -17,14 +17,7 @@ def check_suite(bench, counts):
     ARTIFACTS.mkdir(parents=True, exist_ok=True)
     bench.install()
     bench.make_chair()
-    script = "/repo/tests/blender/screen_session.py"
-    session = ("python3", script, bench.inside, "/repo/tests/artifacts", bench.suite)
-    run = bench.run(*session, timeout=1500)
-    lines = [line for line in run.stdout.splitlines() if line.startswith(("pass  ", "FAIL  "))]
-    for line in lines:
-        counts.check(line.startswith("pass"), line[6:])
-    if run.returncode or not lines:
-        counts.check(False, "the session ran to its end", run.stdout + run.stderr)
+    run_session(bench, counts, "screen_session.py")
 
 
 if __name__ == "__main__":

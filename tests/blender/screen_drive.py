@@ -134,6 +134,18 @@ class Screen:
         self._xdotool("mouseup", 1)
         time.sleep(0.2)
 
+    def drag(self, x, y, pixels):
+        """Press the left button, move so many pixels to the left and let go."""
+        self.move(x, y)
+        self._xdotool("mousedown", 1)
+        time.sleep(0.2)
+        # Small steps from where the pointer is: Blender moves it back and forth while a slider is dragged.
+        for _ in range(0, pixels, 5):
+            self._xdotool("mousemove_relative", "--", -5, 0)
+            time.sleep(0.05)
+        self._xdotool("mouseup", 1)
+        time.sleep(0.3)
+
     def type_into(self, x, y, text, *keys, shot=None):
         """Replace the text of the field there, press `keys`, save a screenshot if asked, and press Return."""
         self.move(x, y)

@@ -13,64 +13,18 @@ import time
 from pathlib import Path
 
 from screen_drive import HEIGHT, Screen
-
-PROMPT = "a bar stool"
-OBJECT = "Plain Chair"
-
-
-def report(holds, what, detail=""):
-    why = "" if holds or not detail else " (" + " | ".join(str(detail).splitlines()) + ")"
-    print(f"{'pass' if holds else 'FAIL'}  {what}{why}", flush=True)
-
-
-def open_sidebar(screen):
-    """Show the sidebar with our tab in front; return its rectangle (x, top, width, height), y downwards."""
-    screen.ask("setattr(view()[1].spaces.active, 'show_region_ui', True)")
-
-    def choose():
-        screen.ask("setattr(view()[2], 'active_panel_category', 'Boxmorph')")
-        return screen.ask("view()[2].active_panel_category") == "Boxmorph"
-
-    screen.wait(choose, 30, "the sidebar tab")
-    # A wide sidebar and the object in the middle, as an artist would have them.
-    screen.ask(
-        "w, a, r = view()\n"
-        "with bpy.context.temp_override(window=w, area=a, region=a.regions[-1]):\n"
-        "    bpy.ops.view3d.view_selected()\n"
-        "value = True"
-    )
-    screen.ask("view()[1].tag_redraw()")
-    time.sleep(2.0)
-    x, y, width, height = screen.ask("[getattr(view()[2], n) for n in ('x', 'y', 'width', 'height')]")
-    return x, HEIGHT - (y + height), width, height
-
-
-def find(screen, rectangle, call, start=10, from_right=None):
-    """Return the centre of the first button that makes `call`, scanning the sidebar downwards: its middle, or
-    so many pixels from its right edge.
-    """
-    x, top, width, height = rectangle
-    x += width // 2 - 25 if from_right is None else width - from_right
-    hits = []
-    for y in range(top + start, top + height - 10, 7):
-        if screen.under(x, y).startswith(call):
-            hits.append(y)
-        elif hits:
-            break
-    if not hits:
-        raise RuntimeError(f"no button makes {call}")
-    return x, (hits[0] + hits[-1]) // 2
-
-
-def start_search(screen, button):
-    """Click until the search runs; a click can be lost while Blender redraws."""
-    for _ in range(4):
-        screen.click(*button)
-        try:
-            return screen.wait(lambda: "BOXMORPH_OT_deform" in screen.ask("modal()"), 6, "the search")
-        except RuntimeError:
-            continue
-    return False
+from screen_interruptions import interruptions, queue
+from screen_steps import (
+    OBJECT,
+    PROMPT,
+    find,
+    open_sidebar,
+    redraw_rate,
+    report,
+    select,
+    start_search,
+    wait_for_end,
+)
 
 
 def session(screen, shots):
@@ -97,19 +51,23 @@ def session(screen, shots):
     report(bool(start_search(screen, button)), "a click starts the search")
     screen.wait(lambda: screen.ask(f"moved('{OBJECT}')") > 1e-4, 120, "a preview")
     report(True, "the object moves to the best so far")
+    searching = redraw_rate(screen)
     screen.shot(shots("2-searching"))
     screen.move(*middle)
     screen.key("Escape")
-    screen.wait(lambda: "BOXMORPH_OT_deform" not in screen.ask("modal()"), 20, "the end of the search")
+    wait_for_end(screen)
     left = screen.ask(f"keys('{OBJECT}')")
     report(left == {}, "Esc leaves no shape key", left)
-    records = screen.ask("[len(bpy.data.shape_keys), len(bpy.data.images), len(bpy.app.handlers.undo_pre)]")
-    report(records[0] == 0 and records[2] == 0, "Esc leaves no data and no handler", records)
+    left = screen.ask("[*bpy.data.shape_keys, *handlers()]")
+    report(left == [], "Esc leaves no data and no handler", left)
     screen.shot(shots("3-cancelled"))
+    idle = redraw_rate(screen)
+    rates = f"{searching:.1f} redraws a second while searching, {idle:.1f} without"
+    report(searching >= 0.5 * idle, rates)
 
     screen.ask("setattr(bpy.context.scene.boxmorph, 'preset', 'standard')")
     report(bool(start_search(screen, button)), "it starts again")
-    screen.wait(lambda: "BOXMORPH_OT_deform" not in screen.ask("modal()"), 300, "the end of the search")
+    wait_for_end(screen)
     found = screen.ask(f"keys('{OBJECT}')")
     report(found.get(PROMPT) == 1.0, "the outcome is a shape key at 1", found)
     screen.shot(shots("4-outcome"))
@@ -124,6 +82,7 @@ def session(screen, shots):
     screen.wait(lambda: screen.ask(f"keys('{OBJECT}')").get(PROMPT) == 1.0, 20, "redo")
     report(True, "redo brings it again")
 
+    drag_slider(screen, rectangle, button, shots)
     take_apart(screen, rectangle, button, shots)
     keyframe = find(
         screen, rectangle, "bpy.ops.boxmorph.keyframe_spectrum()", start=button[1] - rectangle[1] + 100
@@ -149,7 +108,7 @@ def session(screen, shots):
     # The curve takes a row of its own.
     keyframe = find(screen, rectangle, "bpy.ops.boxmorph.keyframe_spectrum()", start=below)
 
-    parts_header, views_header = keyframe[1] + 30, keyframe[1] + 57
+    parts_header, search_header, guide_header, views_header = (keyframe[1] + y for y in (30, 57, 83, 110))
     screen.click(keyframe[0], parts_header)
     parts = find(screen, rectangle, "bpy.ops.boxmorph.find_parts(", start=parts_header - rectangle[1])
     screen.click(*parts)
@@ -161,6 +120,13 @@ def session(screen, shots):
     screen.shot(shots("6-parts"))
     screen.click(keyframe[0], parts_header)
 
+    for name, header in (("search", search_header), ("guide", guide_header)):
+        screen.click(keyframe[0], header)
+        screen.move(*middle)
+        time.sleep(1.0)
+        screen.shot(shots(f"6-{name}"))
+        screen.click(keyframe[0], header)
+
     screen.click(keyframe[0], views_header)
     views = find(screen, rectangle, "bpy.ops.boxmorph.show_views(", start=views_header - rectangle[1])
     screen.click(*views)
@@ -169,14 +135,45 @@ def session(screen, shots):
     screen.move(*middle)
     time.sleep(1.0)
     screen.shot(shots("7-views"))
+    save_and_reopen(screen, middle, shots)
+
+
+def save_and_reopen(screen, middle, shots):
+    """Save by the keyboard, load the file again: outcome, animation and prompt are there."""
+    screen.ask("bpy.context.scene.frame_set(60)")
+    screen.key("ctrl+s")
+    screen.wait(lambda: not screen.ask("bpy.data.is_dirty"), 20, "saving")
+    screen.ask("bpy.ops.wm.revert_mainfile()")
+    value = screen.ask(f"keys('{OBJECT}')").get(PROMPT)
+    prompt = screen.ask("bpy.context.scene.boxmorph.prompt")
+    report(value == 1.0 and prompt == PROMPT, "saved and loaded again, all is there", (value, prompt))
+    open_sidebar(screen)
+    screen.shot(shots("8-reopened"))
+
+
+def slider_of(screen, rectangle, button):
+    """Return the centre of the outcome's slider, which stands at 1."""
+    return find(screen, rectangle, "1.0", start=button[1] - rectangle[1] + 60)
+
+
+def drag_slider(screen, rectangle, button, shots):
+    """Drag the slider of the outcome to the left, look, and undo it."""
+    slider = slider_of(screen, rectangle, button)
+    screen.drag(*slider, 60)
+    value = screen.ask(f"keys('{OBJECT}')")[PROMPT]
+    report(value < 0.9, "the slider is dragged", value)
+    screen.shot(shots("4-dragged"))
+    screen.move(rectangle[0] // 2, HEIGHT // 2)
+    screen.key("ctrl+z")
+    back = screen.wait(lambda: screen.ask(f"keys('{OBJECT}')")[PROMPT] == 1.0, 20, "undo of dragging")
+    report(bool(back), "one undo takes back the dragging")
 
 
 def take_apart(screen, rectangle, button, shots):
     """Take the outcome apart by its menu, look, and undo it."""
     middle = (rectangle[0] // 2, HEIGHT // 2)
-    below = button[1] - rectangle[1] + 50
-    remove = find(screen, rectangle, "bpy.ops.boxmorph.remove_outcome(", start=below, from_right=62)
-    screen.click(remove[0] + 20, remove[1])
+    slider = slider_of(screen, rectangle, button)
+    screen.click(rectangle[0] + rectangle[2] - 49, slider[1])
     time.sleep(1.0)
     screen.shot(shots("4-menu"))
     screen.key("Down")
@@ -193,99 +190,22 @@ def take_apart(screen, rectangle, button, shots):
     report(value == 1.0, "one undo puts it together again", value)
 
 
-def interruptions(screen):
-    """What else can happen while a search runs: none of it may leave a trace or end Blender."""
-    rectangle = open_sidebar(screen)
-    button = find(screen, rectangle, "bpy.ops.boxmorph.deform(")
-    middle = (rectangle[0] // 2, HEIGHT // 2)
-    nothing = screen.ask(f"keys('{OBJECT}')")
-
-    def searching():
-        start_search(screen, button)
-        screen.wait(lambda: screen.ask(f"moved('{OBJECT}')") > 1e-4, 120, "a preview")
-
-    def ended(what):
-        screen.wait(lambda: "BOXMORPH_OT_deform" not in screen.ask("modal()"), 60, f"the end after {what}")
-        left = screen.ask(f"keys('{OBJECT}')")
-        report(left == nothing, f"{what} ends the search and leaves nothing", left)
-
-    searching()
-    screen.move(*middle)
-    screen.key("ctrl+z")
-    ended("Ctrl+Z")
-
-    searching()
-    screen.click(*find(screen, rectangle, "bpy.ops.boxmorph.cancel(", start=button[1] - rectangle[1] + 50))
-    ended("the button Cancel")
-
-    searching()
-    # As the menus do it, past our modal operator; a menu's place depends on how fast the screen is.
-    screen.ask("w, a, r = view()\nwith bpy.context.temp_override(window=w, area=a):\n    bpy.ops.ed.undo()")
-    ended("undo by its operator")
-
-    select(screen)
-    searching()
-    screen.move(*middle)
-    screen.key("Tab")
-    screen.wait(lambda: screen.ask(f"bpy.data.objects['{OBJECT}'].mode") == "EDIT", 20, "Edit Mode")
-    screen.key("Escape")
-    time.sleep(1.5)
-    report(screen.ask(f"bpy.data.objects['{OBJECT}'].mode") == "EDIT", "Esc in Edit Mode stays in Edit Mode")
-    screen.key("Tab")
-    ended("Esc in Edit Mode")
-
-    searching()
-    screen.move(*middle)
-    screen.key("Delete")
-    screen.wait(lambda: "BOXMORPH_OT_deform" not in screen.ask("modal()"), 60, "the end after deleting")
-    report(screen.ask(f"'{OBJECT}' not in bpy.context.scene.objects"), "deleting the object ends the search")
-    screen.key("ctrl+z")
-    screen.wait(lambda: screen.ask(f"'{OBJECT}' in bpy.context.scene.objects"), 20, "undo of deleting")
-    left = screen.ask(f"keys('{OBJECT}')")
-    report(left == nothing, "undo brings the object back without a preview", left)
-
-    screen.ask("bpy.ops.wm.revert_mainfile()")
-    select(screen)
-    searching()
-    screen.ask("bpy.ops.wm.revert_mainfile()")
-    screen.wait(lambda: "BOXMORPH_OT_deform" not in screen.ask("modal()"), 60, "the end after loading")
-    report(screen.ask(f"keys('{OBJECT}')") == {}, "loading a file ends the search")
-
-    select(screen)
-    searching()
-    screen.ask("bpy.ops.preferences.addon_disable(module='bl_ext.user_default.boxmorph')")
-    left = screen.ask(f"[keys('{OBJECT}'), len(bpy.app.handlers.undo_pre)]")
-    report(left == [{}, 0], "disabling the extension ends the search and leaves nothing", left)
-    # Blender drops the operator of an unregistered class at its next event.
-    screen.move(*middle)
-    screen.ask("bpy.ops.preferences.addon_enable(module='bl_ext.user_default.boxmorph')")
-
-    select(screen)
-    searching()
-    code = screen.quit()
-    report(code == 0, "quitting during a search is clean", code)
-
-
-def select(screen):
-    """Make OBJECT the active and only selected one, as the state that undo returns to; open our tab."""
-    screen.ask(
-        f"bpy.context.view_layer.objects.active = bpy.data.objects['{OBJECT}']\n"
-        "for o in bpy.data.objects: o.select_set(o == bpy.context.view_layer.objects.active)\n"
-        f"bpy.context.scene.boxmorph.prompt = '{PROMPT}'\n"
-        "bpy.context.scene.boxmorph.preset = 'paper'\n"
-        "bpy.ops.ed.undo_push(message='Start')"
-    )
-    open_sidebar(screen)
-
-
 def main(folder, artifacts, suite):
-    arguments = ["--factory-startup", "--addons", "bl_ext.user_default.boxmorph", f"{folder}/chair.blend"]
+    chair = Path(folder, "chair.blend")
+    as_made = chair.read_bytes()
+    arguments = ["--factory-startup", "--addons", "bl_ext.user_default.boxmorph", str(chair)]
+
+    def shots(step):
+        return f"{artifacts}/screen-{suite}-{step}.png"
+
     with Screen(folder, arguments) as screen:
         try:
-            session(screen, lambda step: f"{artifacts}/screen-{suite}-{step}.png")
-            screen.ask("bpy.ops.wm.revert_mainfile()")
-            select(screen)
-            interruptions(screen)
+            session(screen, shots)
+            for sitting in (queue, interruptions):
+                chair.write_bytes(as_made)
+                screen.ask(f"bpy.ops.wm.open_mainfile(filepath='{chair}')")
+                select(screen)
+                sitting(screen, shots)
         except RuntimeError as error:
             report(False, "the session goes on", error)
             screen.shot(f"{artifacts}/screen-{suite}-failed.png")

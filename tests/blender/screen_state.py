@@ -7,12 +7,15 @@ The driver writes {"id", "code"} to $BOXMORPH_CHANNEL/ask.json; the answer goes 
 
 import json
 import os
+import time  # noqa: F401 (for what is asked)
 import traceback
 
 import bpy
 
 CHANNEL = os.environ["BOXMORPH_CHANNEL"]
 _last = -1
+_redraws = [0]
+_handles = []
 
 
 def view():
@@ -40,6 +43,38 @@ def moved(name):
         return 0.0
     basis = [point.co.copy() for point in blocks.reference_key.points]
     return max((key.points[i].co - co).length for key in blocks.key_blocks for i, co in enumerate(basis))
+
+
+def handlers():
+    """Return the names of the extension's handlers, which are there while a search runs."""
+    lists = [getattr(bpy.app.handlers, name) for name in ("undo_pre", "redo_pre", "save_pre")]
+    return [
+        handler.__name__ for handlers in lists for handler in handlers if "boxmorph" in handler.__module__
+    ]
+
+
+def draws():
+    """Return how often the 3D viewport was drawn while `redraw_always` was on."""
+    return _redraws[0]
+
+
+def redraw_always(on):
+    """Ask for a redraw of the 3D viewport whenever Blender has time, and count them; or stop."""
+    if on:
+        _handles.append(bpy.types.SpaceView3D.draw_handler_add(_count_redraw, (), "WINDOW", "POST_PIXEL"))
+        bpy.app.timers.register(_ask_for_redraw)
+    else:
+        bpy.app.timers.unregister(_ask_for_redraw)
+        bpy.types.SpaceView3D.draw_handler_remove(_handles.pop(), "WINDOW")
+
+
+def _count_redraw():
+    _redraws[0] += 1
+
+
+def _ask_for_redraw():
+    view()[1].tag_redraw()
+    return 0.0
 
 
 def _answer():

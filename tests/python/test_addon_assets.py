@@ -127,7 +127,12 @@ def test_duplicated_with_the_same_mesh(chair, kept):
 
 OPERATORS = {
     "keyframe_spectrum": {},
+    "keyframe_mix": {},
+    "mix_outcomes": {},
     "measure_scores": {},
+    "evaluate": {},
+    "search_again": {},
+    "add_control": {"key": "a low table"},
     "remove_outcome": {},
     "take_apart": {},
     "put_together": {},

@@ -9,7 +9,7 @@ import time
 import addon_blender as blender
 import pytest
 from addon_blender import bpy
-from addon_objects import OBJECTS, modifiers, only_basis, shape_keys
+from addon_objects import OBJECTS, animated_object, modifiers, only_basis, shape_keys
 from addon_snapshot import differences, snapshot
 
 PROMPT = "a bar stool"
@@ -101,6 +101,22 @@ def test_an_outcome_adds_a_key_and_leaves_no_trace_when_it_goes(obj):
     # Off and at the frame that it was, a keyframed outcome changes nothing but itself.
     frame = bpy.context.scene.frame_current
     bpy.ops.boxmorph.keyframe_spectrum(key=name, frame_from=frame, frame_to=frame + 10)
+    bpy.ops.boxmorph.remove_outcome(key=name)
+    if before_active := before.get(f"objects[{obj.name_full}].active_shape_key_index"):
+        obj.active_shape_key_index = int(before_active)
+    assert_as_it_was(before)
+
+
+@pytest.mark.parametrize("make", [animated_object, shape_keys], ids=lambda make: make.__name__)
+def test_a_control_goes_with_its_outcome(make):
+    blender.empty_scene()
+    obj = make()
+    bpy.context.scene.frame_set(1)
+    before = snapshot()
+    blender.deform(PROMPT, splits="1")
+    name = obj.active_shape_key.name
+    assert bpy.ops.boxmorph.add_control(key=name) == {"FINISHED"}
+    obj.keyframe_insert(f'["{name}"]', frame=1)
     bpy.ops.boxmorph.remove_outcome(key=name)
     if before_active := before.get(f"objects[{obj.name_full}].active_shape_key_index"):
         obj.active_shape_key_index = int(before_active)

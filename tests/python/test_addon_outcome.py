@@ -159,6 +159,7 @@ def test_views_are_an_image_on_request():
     assert not bpy.data.images
     assert bpy.ops.boxmorph.show_views() == {"FINISHED"}
     image = bpy.data.images["Boxmorph Views"]
+    assert not image.is_dirty, "Blender would ask to save it with each saving of the file"
     pixels = np.empty(len(image.pixels), np.float32)
     image.pixels.foreach_get(pixels)
     height, width = image.size[1], image.size[0]

@@ -2,6 +2,7 @@
 """Guides: embeddings, words they do not know, folders that are damaged."""
 
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -165,6 +166,36 @@ def test_networks_that_do_not_fit_are_refused(folder):
     shutil.copy(folder / "text_model.onnx", folder / "vision_model.onnx")
     with pytest.raises(boxmorph.GuideError):
         boxmorph.Guide.open(folder)
+
+
+def test_the_runtime_says_what_it_is():
+    assert boxmorph.execution_providers()[-1] == "cpu"
+    library = boxmorph.runtime_library()
+    assert library.is_file() and "onnxruntime" in library.name
+    assert re.fullmatch(r"1\.\d+\.\d+", boxmorph.runtime_version())
+
+
+def test_the_processor_is_automatic_for_the_embedded_guide(guide):
+    assert (guide.provider, guide.provider_note) == ("cpu", None)
+    named = boxmorph.Guide.open(provider="cpu")
+    batch = images(guide, 15)
+    assert np.array_equal(named.image_embeddings(batch), guide.image_embeddings(batch))
+
+
+@pytest.mark.parametrize("name", ["cuda", "directml", "coreml", "migraphx", "openvino"])
+def test_a_provider_that_the_library_lacks_is_replaced_with_a_sentence(guide, name):
+    if name in boxmorph.execution_providers():
+        pytest.skip("the library has it")
+    other = boxmorph.Guide.open(provider=name)
+    assert other.provider == "cpu"
+    assert name in other.provider_note.lower().replace(" ", "") and "so the processor" in other.provider_note
+    batch = images(guide, 15)
+    assert np.array_equal(other.image_embeddings(batch), guide.image_embeddings(batch))
+
+
+def test_an_unknown_provider_is_refused():
+    with pytest.raises(ValueError, match='unknown execution provider "abacus": choose "auto", "cuda"'):
+        boxmorph.Guide.open(provider="abacus")
 
 
 def test_a_missing_library_is_a_sentence():

@@ -73,7 +73,7 @@ def test_the_record_holds_all_it_takes_to_do_it_again(guide, stool):
     report = stool.report()
     json.dumps(report)
     assert report["boxmorph"] == boxmorph.__version__
-    assert report["guide"] == {"name": "mini", "sha256": guide.sha256}
+    assert report["guide"] == {"name": "mini", "sha256": guide.sha256, "provider": "cpu"}
     assert (report["prompt"], report["preset"], report["seed"]) == ("a bar stool", "standard", 0)
     assert report["evaluations"] == stool.evaluations and report["images_encoded"] == stool.images_encoded
     assert np.allclose(report["scales"], stool.scales)
@@ -123,6 +123,20 @@ def test_progress_counts_up_and_the_best_so_far_can_be_seen(chair, guide):
     assert any("part boxes" in p["phase"] for p in seen)
     end = job.progress()
     assert end["fraction"] == 1 and end["best_score"] == pytest.approx(job.result().score_after)
+
+
+def test_the_best_so_far_can_be_pictured(chair, guide, stool):
+    job = boxmorph.Job(boxmorph.Mesh(*chair), "a bar stool", guide=guide, splits=3, renderer="cpu")
+    assert job.best_view() is None, "nothing is known yet"
+    job.start()
+    job.join()
+    front_right = boxmorph.render(stool.vertices, chair[1], size=80, renderer="cpu")[0]
+    seen = job.best_view(80)
+    assert seen.shape == (80, 80, 4)
+    # The gauge, which the picture has no need of, rounds in the last bits.
+    assert (np.abs(seen.astype(int) - front_right).max(-1) > 8).mean() < 0.01
+    with pytest.raises(ValueError, match="8 to 2048"):
+        job.best_view(4)
 
 
 def test_cancel_stops_within_a_generation(chair, guide):

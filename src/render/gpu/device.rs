@@ -66,13 +66,14 @@ impl Gpu {
     }
 }
 
-/// Whether the best adapter is a real GPU; asked once a process, since asking opens the drivers.
-pub(in crate::render) fn has_real_gpu() -> bool {
-    static ANSWER: OnceLock<bool> = OnceLock::new();
-    *ANSWER.get_or_init(|| {
-        super::guarded(|| Ok(best_adapter(NATIVE).is_some_and(|adapter| rank(&adapter) < SOFTWARE)))
-            .unwrap_or(false)
-    })
+/// The name of the best adapter, where it is a real GPU; asked once a process, since asking opens the drivers.
+pub(in crate::render) fn real_gpu() -> Option<&'static str> {
+    static ANSWER: OnceLock<Option<String>> = OnceLock::new();
+    let ask = || {
+        let real = best_adapter(NATIVE).filter(|adapter| rank(adapter) < SOFTWARE);
+        Ok(real.map(|adapter| adapter.get_info().name))
+    };
+    ANSWER.get_or_init(|| super::guarded(ask).unwrap_or(None)).as_deref()
 }
 
 const SOFTWARE: u8 = 4;

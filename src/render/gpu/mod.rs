@@ -10,7 +10,7 @@ mod device;
 mod pipelines;
 mod plan;
 
-pub(super) use device::has_real_gpu;
+pub(super) use device::real_gpu;
 
 use super::scene::Scene;
 use super::{RenderError, Renderer};

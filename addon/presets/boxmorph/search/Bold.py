@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+import bpy
+
+settings = bpy.context.scene.boxmorph
+
+settings.preset = "standard"
+settings.splits = "auto"
+settings.symmetry = "auto"
+settings.keep_size = "auto"
+settings.least_scale = 0.15
+settings.greatest_scale = 6.0
+settings.shift_parts = True
