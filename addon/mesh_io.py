@@ -49,15 +49,7 @@ class ObjectArrays(NamedTuple):
 
 def deformable(obj):
     """Return `obj` if a shape key can be written on it. Raises Refusal with the reason otherwise."""
-    if obj is None:
-        raise Refusal("There is no active object. Select the object to deform")
-    if obj.type != "MESH":
-        raise Refusal(f"“{obj.name}” is a {_noun(obj.type)}, not a mesh. Convert it to a mesh first")
-    if obj.override_library or obj.library or obj.data.library or not obj.data.is_editable:
-        raise Refusal(
-            f"The mesh of “{obj.name}” is linked from another file, where changes would be lost. "
-            "Make the object and its data local first (Object > Relations > Make Local)"
-        )
+    own_mesh(obj)
     if obj.mode != "OBJECT":
         raise Refusal(f"“{obj.name}” is in {_noun(obj.mode).title()} Mode. Go to Object Mode first")
     keys = obj.data.shape_keys
@@ -68,6 +60,20 @@ def deformable(obj):
         )
     if len(obj.data.vertices) == 0:
         raise Refusal(f"The mesh of “{obj.name}” is empty")
+    return obj
+
+
+def own_mesh(obj):
+    """Return `obj` if it is a mesh object of this file. Raises Refusal otherwise."""
+    if obj is None:
+        raise Refusal("There is no active object. Select the object to deform")
+    if obj.type != "MESH":
+        raise Refusal(f"“{obj.name}” is a {_noun(obj.type)}, not a mesh. Convert it to a mesh first")
+    if obj.override_library or obj.library or obj.data.library or not obj.data.is_editable:
+        raise Refusal(
+            f"The mesh of “{obj.name}” is linked from another file, where changes would be lost. "
+            "Make the object and its data local first (Object > Relations > Make Local)"
+        )
     return obj
 
 

@@ -12,14 +12,17 @@ import json
 
 import numpy as np
 
-from .animation_curves import remove_curve
-from .mesh_io import key_positions
+from .animation_curves import drop_empty, is_animated, remove_curve
+from .mesh_io import key_positions, mesh_positions
 
 RECORDS = "boxmorph"
 
 #: In the record of an outcome that was taken apart: the names of its pieces, and the value that it had.
 PIECES = "pieces"
 _VALUE = "value_before_pieces"
+
+#: Custom property of a Key data-block whose Basis was made for the outcomes, and goes with the last of them.
+_OWN_BASIS = "boxmorph_basis"
 
 #: In every record: a hash of the key's positions, by which a renamed key is known. A shape key has no
 #: identity of its own besides its name.
@@ -127,12 +130,18 @@ def keep_record(mesh, name, report):
 
 
 def remove_outcome(obj, name):
-    """Delete an outcome: its key, its pieces, its record and its animation."""
+    """Delete an outcome: its key, its pieces, its record and its animation; with the last one, the Basis, if
+    it was made for it.
+    """
     remove_pieces(obj, name)
     stored = records(obj.data)
     stored.pop(name, None)
-    _remove_key(obj, obj.data.shape_keys.key_blocks[name])
-    _store(obj.data.shape_keys, stored)
+    keys = obj.data.shape_keys
+    _remove_key(obj, keys.key_blocks[name])
+    _store(keys, stored)
+    untouched = np.array_equal(key_positions(keys.reference_key), mesh_positions(obj.data))
+    if keys.get(_OWN_BASIS) and len(keys.key_blocks) == 1 and untouched:
+        obj.shape_key_clear()
 
 
 def set_limits(key, least, greatest):
@@ -195,10 +204,10 @@ def remove_pieces(obj, name):
 
 def _remove_key(obj, key):
     keys = obj.data.shape_keys
-    key.driver_remove("value")
-    animation = keys.animation_data
-    if animation is not None and animation.action is not None:
+    if is_animated(key):
+        key.driver_remove("value")
         remove_curve(keys, key.path_from_id("value"))
+        drop_empty(keys)
     obj.shape_key_remove(key)
 
 
@@ -303,7 +312,9 @@ class Trial:
     def _create(self, obj):
         """Make the key, or take the earlier outcome of the same prompt, and set the other outcomes to 0."""
         if obj.data.shape_keys is None:
-            obj.shape_key_add(name="Basis", from_mix=False)
+            # Blender 5.0 gives new keys the value 1.
+            obj.shape_key_add(name="Basis", from_mix=False).value = 0.0
+            obj.data.shape_keys[_OWN_BASIS] = True
         blocks = obj.data.shape_keys.key_blocks
         if self.previous is not None and self._wanted in blocks:
             key = blocks[self._wanted]
