@@ -317,7 +317,7 @@ def test_the_menu_offers_what_fits():
     def offered():
         layout = Mock()
         context = Mock(boxmorph_outcome=keys_of(obj)[PROMPT])
-        blender.addon("panels").BOXMORPH_MT_outcome.draw(Mock(layout=layout), context)
+        blender.addon("outcome_panel").BOXMORPH_MT_outcome.draw(Mock(layout=layout), context)
         return [call.args[0] for call in layout.operator.call_args_list]
 
     assert offered() == ["boxmorph.take_apart", "boxmorph.apply_as_new"]
