@@ -42,6 +42,9 @@ def _draw_button(layout, context):
         row.enabled = obj is not None and not running.is_asked_for(obj)
     elif len(selected) > 1:
         text = f"Deform {len(selected)} Objects to Prompt"
+    elif context.active_object is None or context.active_object.type != "MESH":
+        row.enabled = False
+        text, icon = "Select a Mesh Object", "INFO"
     row.operator("boxmorph.deform", text=text, icon=icon).all_selected = len(selected) > 1
 
 

@@ -83,6 +83,7 @@ def session(screen, shots):
     report(True, "redo brings it again")
 
     drag_slider(screen, rectangle, button, shots)
+    vary(screen, rectangle, button, shots)
     take_apart(screen, rectangle, button, shots)
     keyframe = find(
         screen, rectangle, "bpy.ops.boxmorph.keyframe_spectrum()", start=button[1] - rectangle[1] + 100
@@ -169,12 +170,35 @@ def drag_slider(screen, rectangle, button, shots):
     report(bool(back), "one undo takes back the dragging")
 
 
-def take_apart(screen, rectangle, button, shots):
-    """Take the outcome apart by its menu, look, and undo it."""
-    middle = (rectangle[0] // 2, HEIGHT // 2)
+def open_menu(screen, rectangle, button):
+    """Open the menu beside the outcome's slider."""
     slider = slider_of(screen, rectangle, button)
     screen.click(rectangle[0] + rectangle[2] - 49, slider[1])
     time.sleep(1.0)
+
+
+def vary(screen, rectangle, button, shots):
+    """Search variations by the menu, look, and undo them."""
+    open_menu(screen, rectangle, button)
+    # The letter that is underlined in "Variations".
+    screen.key("v")
+    screen.wait(lambda: "BOXMORPH_OT_deform" in screen.ask("modal()"), 20, "the search for variations")
+    wait_for_end(screen, "variations")
+    others = f"[name for name in keys('{OBJECT}') if name not in ('Basis', '{PROMPT}')]"
+    found = screen.ask(others)
+    report(len(found) > 0, "the outcome's menu finds variations", found)
+    screen.move(rectangle[0] // 2, HEIGHT // 2)
+    time.sleep(1.0)
+    screen.shot(shots("4-variations"))
+    screen.key("ctrl+z")
+    screen.wait(lambda: screen.ask(others) == [], 20, "undo of variations")
+    report(True, "one undo takes them back")
+
+
+def take_apart(screen, rectangle, button, shots):
+    """Take the outcome apart by its menu, look, and undo it."""
+    middle = (rectangle[0] // 2, HEIGHT // 2)
+    open_menu(screen, rectangle, button)
     screen.shot(shots("4-menu"))
     # The letter that is underlined in "Take Apart".
     screen.key("t")
