@@ -4,6 +4,8 @@ it, search it again, take it apart, make it an object, remove it, show the views
 """
 
 import bpy
+from bpy.app.translations import pgettext_iface as iface_
+from bpy.app.translations import pgettext_tip as tip_
 from bpy.props import FloatProperty, IntProperty, StringProperty
 
 from . import (
@@ -29,7 +31,7 @@ def has_outcome(operator, context):
     """Whether the active object has an outcome; if not, `operator`, a class, tells so where it is offered."""
     obj = context.active_object
     if obj is None or obj.type != "MESH" or not shape_key.records(obj.data):
-        operator.poll_message_set("The active object has no outcome yet. Deform it to a prompt first")
+        operator.poll_message_set(tip_("The active object has no outcome yet. Deform it to a prompt first"))
         return False
     return True
 
@@ -132,8 +134,9 @@ class BOXMORPH_OT_evaluate(_OnOutcome, bpy.types.Operator):
         done = self.execute(context)
         if done == {"FINISHED"} and not bpy.app.background:
             _obj, key = self.outcome(context)
+            lines = evaluation.lines(self.evaluated, iface_)
             context.window_manager.popup_menu(
-                lambda menu, _context: [menu.layout.label(text=line) for line in self.lines],
+                lambda menu, _context: [menu.layout.label(text=line) for line in lines],
                 title=key.name,
                 icon="INFO",
             )
@@ -142,10 +145,9 @@ class BOXMORPH_OT_evaluate(_OnOutcome, bpy.types.Operator):
     @tells_refusals
     def execute(self, context):
         obj, key = self.outcome(context)
-        evaluated = evaluation.evaluate(obj, context, key)
-        evaluation.keep(obj, key, evaluated)
-        self.lines = evaluation.lines(evaluated)
-        self.report({"INFO"}, f"“{key.name}”: {'; '.join(self.lines)}")
+        self.evaluated = evaluation.evaluate(obj, context, key)
+        evaluation.keep(obj, key, self.evaluated)
+        self.report({"INFO"}, f"“{key.name}”: {'; '.join(evaluation.lines(self.evaluated))}")
         redraw_panels()
         return {"FINISHED"}
 
