@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where our panels are."""
 
-#: Translation context of words that Blender has another meaning for: Search, Guide.
+#: Translation context of words that Blender translates in another meaning: Search, Guide, Paper.
 CONTEXT = "Boxmorph"
 
 

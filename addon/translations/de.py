@@ -7,7 +7,7 @@ narrow fields Bild), Treiber (driver), Modifikator, Masche (mesh), Sammlung (col
 
 Ours, one for one thing: Prompt, Suche (search), Ergebnis (outcome), Teil (part), Box (part box), Leitmodell
 (guide), Bewertung (score), Ansicht (view), Generation, Spektrum, Teilung (split), Verfahren (the preset:
-standard or the paper's), zerlegen (split, take apart), Stück (piece), sperren (lock), Rechenwerk (provider).
+standard or the paper's), zerlegen (split, take apart), Stück (piece), sperren (lock).
 
 Prompts are English, for the guide: they, and names of the user's own, are not translated.
 """
@@ -61,15 +61,15 @@ MESSAGES = {
         "Was aus dem Objekt werden soll, in wenigen englischen Worten, etwa: a bar stool. Namen, die "
         "das Leitmodell kennt, werden vorgeschlagen"
     ),
-    ("*", "Preset"): "Verfahren",
+    ("Boxmorph", "Preset"): "Verfahren",
     ("*", "How thoroughly to search. Leave it, unless to compare with what was published"): (
         "Wie gründlich gesucht wird. So lassen, außer zum Vergleich mit dem, was veröffentlicht ist"
     ),
-    ("*", "Standard"): "Standard",
+    ("Boxmorph", "Standard"): "Standard",
     ("*", "The result of the full search at a fraction of its cost"): (
         "Was die volle Suche findet, zu einem Bruchteil ihrer Kosten"
     ),
-    ("*", "Paper"): "Veröffentlichung",
+    ("Boxmorph", "Paper"): "Veröffentlichung",
     ("*", "The published protocol, step by step. Much slower"): (
         "Das veröffentlichte Verfahren, Schritt für Schritt. Viel langsamer"
     ),
@@ -127,7 +127,7 @@ MESSAGES = {
     ("*", "Keep the diagonal of the bounding box; where parts are locked, keep their size"): (
         "Die Diagonale des Begrenzungsrahmens beibehalten; wo Teile gesperrt sind, deren Größe"
     ),
-    ("*", "Diagonal"): "Diagonale",
+    ("*", "Diagonal"): "Diagonal",
     ("*", "Keep the diagonal of the bounding box"): ("Die Diagonale des Begrenzungsrahmens beibehalten"),
     ("*", "Height"): "Höhe",
     ("*", "Keep the height"): "Die Höhe beibehalten",
@@ -137,7 +137,7 @@ MESSAGES = {
     ),
     ("*", "Off"): "Aus",
     ("*", "Leave the size as the search finds it"): "Die Größe lassen, wie die Suche sie findet",
-    ("*", "Least Scale"): "Kleinste Skal.",
+    ("*", "Least Scale"): "Mindestmaß",
     (
         "*",
         "No part gets smaller than this share of its size, before the size of the whole is kept. "
@@ -146,7 +146,7 @@ MESSAGES = {
         "Kein Teil wird kleiner als dieser Anteil seiner Größe, bevor die Größe des Ganzen "
         "angeglichen wird. Erhöhen, wo Teile zu dünn werden"
     ),
-    ("*", "Greatest"): "Größte",
+    ("*", "Greatest"): "Höchstmaß",
     (
         "*",
         "No part gets larger than this many times its size, before the size of the whole is kept. "
@@ -233,7 +233,7 @@ MESSAGES = {
     ("*", "it is sheared by {:.0f}°"): "sie schert um {:.0f}°",
     ("*", "the worst is sheared by {:.0f}°"): "die schlimmste schert um {:.0f}°",
     # Outcomes.
-    ("*", "{:.1f} away"): "{:.1f} fort",
+    ("*", "{:.1f} away"): "{:.1f} weg",
     ("*", "beyond {:.1f}"): "darüber {:.1f}",
     ("*", "Taken apart: {} pieces"): "Zerlegt: {} Stücke",
     ("*", "The active object has no outcome yet. Deform it to a prompt first"): (
@@ -328,7 +328,7 @@ MESSAGES = {
         "Das Ergebnis animieren: Schlüsselbilder für seinen Wert von einem Einzelbild zum anderen, "
         "wie über dem Knopf eingestellt"
     ),
-    ("*", "Frame"): "Bild",
+    ("*", "Frame"): "Einzelbild",
     ("*", "Value"): "Wert",
     ("*", "to"): "bis",
     ("*", "From Frame"): "Von Bild",
@@ -489,7 +489,7 @@ MESSAGES = {
     ("*", "The library named above is used once Blender starts again"): (
         "Die oben genannte Bibliothek wird verwendet, sobald Blender neu startet"
     ),
-    ("*", "Provider"): "Rechenwerk",
+    ("*", "Provider"): "Provider",
     (
         "*",
         "What the guide encodes images on. Change it where a large guide is slow and your ONNX "

@@ -3,6 +3,7 @@
 
 import ast
 import functools
+import inspect
 import pathlib
 import re
 import string
@@ -88,7 +89,7 @@ def messages_of_classes():
         if issubclass(cls, bpy.types.Operator):
             rna = getattr(bpy.ops.boxmorph, cls.bl_idname.partition(".")[2]).get_rna_type()
         bases = [base for base in cls.__mro__ if base.__module__.startswith(blender.PACKAGE)]
-        own = {name for base in bases for name in base.__dict__.get("__annotations__", ())}
+        own = {name for base in bases for name in inspect.get_annotations(base)}
         for name in own & set(rna.properties.keys()):
             prop = rna.properties[name]
             if prop.is_hidden or prop.name == name:
