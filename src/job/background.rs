@@ -7,8 +7,8 @@ use std::sync::OnceLock;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use thread_priority::{ThreadPriority, ThreadPriorityValue, set_current_thread_priority};
 
-/// Below normal: about niceness 9 on Linux, `BELOW_NORMAL` on Windows.
-const SHARE: u8 = 25;
+/// Of 100: niceness 15 on Linux, `LOWEST` on Windows. Less would not leave the viewport half of its redraws on two cores.
+const SHARE: u8 = 10;
 
 static POOL: OnceLock<Option<ThreadPool>> = OnceLock::new();
 

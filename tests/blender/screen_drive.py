@@ -7,7 +7,8 @@ import subprocess
 import time
 from pathlib import Path
 
-WIDTH, HEIGHT = 960, 600
+#: As high as a small laptop's, on which nothing of the panel should need scrolling.
+WIDTH, HEIGHT = 960, 768
 
 
 class Screen:
