@@ -5,6 +5,7 @@ it, search it again, take it apart, make it an object, remove it, show the views
 
 import bpy
 from bpy.app.translations import pgettext_iface as iface_
+from bpy.app.translations import pgettext_rpt as rpt_
 from bpy.app.translations import pgettext_tip as tip_
 from bpy.props import FloatProperty, IntProperty, StringProperty
 
@@ -51,7 +52,11 @@ class _OnOutcome:
         """Return the active object, checked, and the key that is meant."""
         obj = mesh_io.deformable(context.active_object)
         if self.key and self.key not in shape_key.records(obj.data):
-            raise Refusal(f"“{obj.name}” has no outcome named “{self.key}”")
+            raise Refusal(
+                "“{name}” has no outcome named “{outcome}”",
+                name=obj.name,
+                outcome=self.key,
+            )
         name = self.key or shape_key.meant_outcome(obj)[0]
         return obj, obj.data.shape_keys.key_blocks[name]
 
@@ -147,7 +152,7 @@ class BOXMORPH_OT_evaluate(_OnOutcome, bpy.types.Operator):
         obj, key = self.outcome(context)
         self.evaluated = evaluation.evaluate(obj, context, key)
         evaluation.keep(obj, key, self.evaluated)
-        self.report({"INFO"}, f"“{key.name}”: {'; '.join(evaluation.lines(self.evaluated))}")
+        self.report({"INFO"}, f"“{key.name}”: {'; '.join(evaluation.lines(self.evaluated, rpt_))}")
         redraw_panels()
         return {"FINISHED"}
 
@@ -188,7 +193,8 @@ class BOXMORPH_OT_add_control(_OnOutcome, bpy.types.Operator):
     def execute(self, context):
         obj, key = self.outcome(context)
         name = control.add(obj, key)
-        self.report({"INFO"}, f"“{key.name}” follows the custom property “{name}” of “{obj.name}”")
+        done = rpt_("“{outcome}” follows the custom property “{control}” of “{name}”")
+        self.report({"INFO"}, done.format(outcome=key.name, control=name, name=obj.name))
         return {"FINISHED"}
 
 
@@ -222,7 +228,7 @@ class BOXMORPH_OT_take_apart(_OnOutcome, bpy.types.Operator):
     def execute(self, context):
         obj, key = self.outcome(context)
         made = take_apart.take_apart(obj, context, key.name)
-        self.report({"INFO"}, f"“{key.name}” is now {len(made)} shape keys")
+        self.report({"INFO"}, rpt_("“{}” is now {} shape keys").format(key.name, len(made)))
         return {"FINISHED"}
 
 
@@ -240,9 +246,8 @@ class BOXMORPH_OT_put_together(_OnOutcome, bpy.types.Operator):
         obj, key = self.outcome(context)
         missing = take_apart.put_together(obj, key.name)
         if missing:
-            self.report(
-                {"WARNING"}, f"{missing} of its shape keys, deleted or renamed, were left as they are"
-            )
+            left = rpt_("{} of its shape keys, deleted or renamed, were left as they are")
+            self.report({"WARNING"}, left.format(missing))
         return {"FINISHED"}
 
 

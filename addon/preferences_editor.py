@@ -8,6 +8,7 @@ from contextlib import suppress
 
 import bpy
 from bpy.app.translations import pgettext_iface as iface_
+from bpy.app.translations import pgettext_rpt as rpt_
 from bpy.app.translations import pgettext_tip as tip_
 from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 
@@ -196,7 +197,7 @@ def guide_lines(say=str):
     """
     guide, why = engine.known_guide()
     if why is not None:
-        return [(why, "ERROR")]
+        return [(why.said(say), "ERROR")]
     if guide is None:
         return [(say("Not opened yet"), "INFO")]
     known = say("{} names").format(len(guide.classes)) if guide.classes else say("any words")
@@ -240,7 +241,7 @@ class BOXMORPH_OT_check_guide(bpy.types.Operator):
     @tells_refusals
     def execute(self, _context):
         engine.open_guide(again=True)
-        self.report({"INFO"}, ". ".join(line for line, _icon in guide_lines()))
+        self.report({"INFO"}, ". ".join(line for line, _icon in guide_lines(rpt_)))
         return {"FINISHED"}
 
 
@@ -259,7 +260,11 @@ class BOXMORPH_OT_open_guides_folder(bpy.types.Operator):
         try:
             os.makedirs(folder, exist_ok=True)
         except OSError as error:
-            raise Refusal(f"The folder {folder} cannot be made ({error.strerror}). Name another") from error
+            raise Refusal(
+                "The folder {folder} cannot be made ({reason}). Name another",
+                folder=folder,
+                reason=error.strerror,
+            ) from error
         return bpy.ops.wm.path_open(filepath=folder)
 
 

@@ -567,4 +567,301 @@ MESSAGES = {
     ("*", "Put it into the text “Boxmorph Report” of this file instead, to read it first"): (
         "Ihn stattdessen in den Text „Boxmorph Report“ dieser Datei schreiben, um ihn erst zu lesen"
     ),
+    # What is told of a search.
+    ("*", "The guide does not know {} and goes by the other words"): (
+        "Das Leitmodell kennt {} nicht und geht nach den anderen Wörtern"
+    ),
+    ("*", "“{word}” (nearest: “{known}”)"): "„{word}“ (am nächsten: „{known}“)",
+    ("*", "Searching on the rest shape, without the modifiers {}"): (
+        "Gesucht wird an der Ruheform, ohne die Modifikatoren {}"
+    ),
+    ("*", "{} of {} parts is locked"): "{} von {} Teilen ist gesperrt",
+    ("*", "{} of {} parts are locked"): "{} von {} Teilen sind gesperrt",
+    ("*", "The mesh has {} users, and all of them get the shape key"): (
+        "Die Masche hat {} Nutzer, und alle erhalten den Formschlüssel"
+    ),
+    ("*", "{} waits for the search that runs"): "{} wartet auf die laufende Suche",
+    ("*", "{} wait for the search that runs"): "{} warten auf die laufende Suche",
+    ("*", "“{name}” is searched or waits already. Cancel the search with Esc to begin anew"): (
+        "„{name}“ wird schon durchsucht oder wartet. Die Suche mit Esc abbrechen, um neu zu beginnen"
+    ),
+    ("*", "“{name}” was deleted before its search began"): (
+        "„{name}“ wurde gelöscht, bevor die Suche begann"
+    ),
+    ("*", "Cancelled; the object is as it was"): "Abgebrochen; das Objekt ist, wie es war",
+    ("*", "Cancelled by undo"): "Durch Rückgängig abgebrochen",
+    ("*", "Cancelled: “{}” was deleted or its mesh was changed"): (
+        "Abgebrochen: „{}“ wurde gelöscht oder seine Masche geändert"
+    ),
+    ("*", "The search ended in coordinates that are not numbers; nothing was changed"): (
+        "Die Suche endete in Koordinaten, die keine Zahlen sind; nichts wurde geändert"
+    ),
+    ("*", "“{}”: score {:.3f} → {:.3f} in {:.1f} s"): "„{}“: Bewertung {:.3f} → {:.3f} in {:.1f} s",
+    ("*", "Refine at Part Boundaries cuts them"): "„An Teilgrenzen verfeinern“ zerschneidet sie",
+    (
+        "*",
+        "Under its modifier {names} the outcome differs from what was scored, {how}. Apply it and "
+        "search again where that matters",
+    ): (
+        "Unter seinem Modifikator {names} weicht das Ergebnis von dem ab, was bewertet wurde, {how}. "
+        "Wo das stört, ihn anwenden und erneut suchen"
+    ),
+    (
+        "*",
+        "Under its modifiers {names} the outcome differs from what was scored, {how}. Apply them and "
+        "search again where that matters",
+    ): (
+        "Unter seinen Modifikatoren {names} weicht das Ergebnis von dem ab, was bewertet wurde, "
+        "{how}. Wo das stört, sie anwenden und erneut suchen"
+    ),
+    ("*", "up to {:.2g}% of its size"): "bis zu {:.2g} % seiner Größe",
+    ("*", "in the number of its vertices"): "in der Zahl seiner Punkte",
+    # What is refused of an object.
+    ("*", "There is no active object. Select the object to deform"): (
+        "Es gibt kein aktives Objekt. Das Objekt auswählen, das verformt werden soll"
+    ),
+    ("*", "There is no active mesh object to view. Select one"): (
+        "Es gibt kein aktives Maschenobjekt, das zu sehen wäre. Eines auswählen"
+    ),
+    ("*", "“{name}” is a {kind}, not a mesh. Convert it to a mesh first"): (
+        "„{name}“ ({kind}) ist keine Masche. Erst in eine Masche umwandeln"
+    ),
+    (
+        "*",
+        "The mesh of “{name}” is linked from another file, where changes would be lost. Make the "
+        "object and its data local first (Object > Relations > Make Local)",
+    ): (
+        "Die Masche von „{name}“ ist mit einer anderen Datei verknüpft, wo Änderungen verloren "
+        "gingen. Erst das Objekt und seine Daten lokal machen (Object > Relations > Make Local)"
+    ),
+    ("*", "“{name}” is in {mode} Mode. Go to Object Mode first"): (
+        "„{name}“ ist nicht im Objektmodus ({mode} Mode). Erst in den Objektmodus wechseln"
+    ),
+    ("*", "“{name}” is in Edit Mode. Go to Object Mode first"): (
+        "„{name}“ ist im Bearbeitungsmodus. Erst in den Objektmodus wechseln"
+    ),
+    (
+        "*",
+        "“{name}” has absolute shape keys, which play one after another. Turn on Relative in its "
+        "shape key panel first",
+    ): (
+        "„{name}“ hat absolute Formschlüssel, die nacheinander ablaufen. Erst im Bereich seiner "
+        "Formschlüssel „Relativ“ einschalten"
+    ),
+    ("*", "The mesh of “{name}” is empty"): "Die Masche von „{name}“ ist leer",
+    (
+        "*",
+        "“{name}” is not in the view layer “{layer}”, so its modifiers cannot be evaluated. Enable "
+        "its collection first",
+    ): (
+        "„{name}“ ist nicht in der Ansichtsebene „{layer}“, so dass seine Modifikatoren nicht "
+        "ausgewertet werden können. Erst seine Sammlung einschalten"
+    ),
+    (
+        "*",
+        "{count} of the {total} vertices of “{name}” have coordinates that are not numbers. Delete "
+        "or move them first",
+    ): (
+        "{count} der {total} Punkte von „{name}“ haben Koordinaten, die keine Zahlen sind. Sie erst "
+        "löschen oder verschieben"
+    ),
+    ("*", "The mesh of “{name}” has no faces, so there is nothing to see or to split"): (
+        "Die Masche von „{name}“ hat keine Flächen, so dass nichts zu sehen und nichts zu zerlegen ist"
+    ),
+    ("*", "The faces of “{name}” have no area, so there is nothing to see or to split"): (
+        "Die Flächen von „{name}“ haben keinen Inhalt, so dass nichts zu sehen und nichts zu zerlegen ist"
+    ),
+    (
+        "*",
+        "The collection “{collection}” holds no boxes. Put cubes around the parts of “{name}” into "
+        "it, or clear the field",
+    ): (
+        "Die Sammlung „{collection}“ enthält keine Boxen. Würfel um die Teile von „{name}“ "
+        "hineinlegen oder das Feld leeren"
+    ),
+    (
+        "*",
+        "“{name}” has changed since its parts were found. Find them again and check the locks, or "
+        "forget them",
+    ): (
+        "„{name}“ hat sich geändert, seit seine Teile gefunden wurden. Sie neu finden und die "
+        "Sperren prüfen, oder sie vergessen"
+    ),
+    ("*", "The parts of “{name}” are not known yet. Find them first"): (
+        "Die Teile von „{name}“ sind noch nicht bekannt. Sie erst finden"
+    ),
+    ("*", "{} faces added"): "{} Flächen hinzugefügt",
+    ("*", "No face spans a boundary; nothing was cut"): (
+        "Keine Fläche reicht über eine Grenze; nichts wurde zerschnitten"
+    ),
+    # What is told and refused of outcomes.
+    ("*", "“{name}” has no outcome named “{outcome}”"): ("„{name}“ hat kein Ergebnis namens „{outcome}“"),
+    ("*", "“{name}” has fewer than two outcomes to mix: muted ones and those taken apart are left out"): (
+        "„{name}“ hat keine zwei Ergebnisse zum Mischen: stummgeschaltete und zerlegte bleiben außen vor"
+    ),
+    ("*", "“{name}” is driven, so its value cannot be set. Delete its driver first, or mute it"): (
+        "„{name}“ hat einen Treiber, so dass sein Wert nicht zu setzen ist. Erst den Treiber löschen "
+        "oder es stummschalten"
+    ),
+    ("*", "“{}” is taken apart, and its pieces stay as they are"): (
+        "„{}“ ist zerlegt, und seine Stücke bleiben, wie sie sind"
+    ),
+    ("*", "Only “{}” has a value other than 0, and it keeps that"): (
+        "Nur „{}“ hat einen anderen Wert als 0, und es behält ihn"
+    ),
+    ("*", "There is room for an amount of {:.2f}, not {:.2f}"): (
+        "Es ist Raum für eine Menge von {:.2f}, nicht {:.2f}"
+    ),
+    (
+        "*",
+        "The pieces of {names} already make a part thinner than a twentieth of itself. Put it "
+        "together first, or set its pieces nearer to 0",
+    ): (
+        "Schon die Stücke von {names} machen einen Teil dünner als ein Zwanzigstel seiner selbst. "
+        "Erst zusammensetzen oder die Stücke näher an 0 stellen"
+    ),
+    ("*", "“{name}” is off, so that nothing of it is seen. Give it a value first"): (
+        "„{name}“ ist aus, so dass nichts davon zu sehen ist. Erst einen Wert geben"
+    ),
+    ("*", "“{outcome}” follows the custom property “{control}” of “{name}”"): (
+        "„{outcome}“ folgt der benutzerdefinierten Eigenschaft „{control}“ von „{name}“"
+    ),
+    ("*", "“{name}” is driven already"): "„{name}“ hat schon einen Treiber",
+    (
+        "*",
+        "“{name}” has keyframes, which a driver would hide. Delete them first, and key the control instead",
+    ): (
+        "„{name}“ hat Schlüsselbilder, die ein Treiber verdecken würde. Sie erst löschen und dann "
+        "die Steuerung mit Schlüsselbildern versehen"
+    ),
+    ("*", "“{}” is now {} shape keys"): "„{}“ ist jetzt {} Formschlüssel",
+    ("*", "{} of its shape keys, deleted or renamed, were left as they are"): (
+        "{} seiner Formschlüssel, gelöscht oder umbenannt, blieben, wie sie sind"
+    ),
+    ("*", "“{name}” is taken apart already. Put it together first"): (
+        "„{name}“ ist schon zerlegt. Erst zusammensetzen"
+    ),
+    ("*", "“{name}” is not taken apart"): "„{name}“ ist nicht zerlegt",
+    (
+        "*",
+        "“{name}” is animated, and would move along with its pieces. Remove its keyframes or its "
+        "driver first",
+    ): (
+        "„{name}“ ist animiert und würde sich mit seinen Stücken bewegen. Erst seine Schlüsselbilder "
+        "oder seinen Treiber entfernen"
+    ),
+    ("*", "“{name}” changes nothing that could be seen, so there is nothing to take apart"): (
+        "„{name}“ ändert nichts, was zu sehen wäre, so dass nichts zu zerlegen ist"
+    ),
+    ("*", "“{name}” has no record of its parts. Search again, then take that apart"): (
+        "„{name}“ hat keine Aufzeichnung seiner Teile. Erneut suchen und dann dieses Ergebnis zerlegen"
+    ),
+    ("*", "The parts that “{name}” was found with have been forgotten. Find or give them again"): (
+        "Die Teile, mit denen „{name}“ gefunden wurde, sind vergessen. Sie neu finden oder wieder angeben"
+    ),
+    (
+        "*",
+        "“{name}”, its parts or the shape key “{outcome}” have changed since the search, so that it "
+        "cannot be told which part does what. Undo the change, or search again",
+    ): (
+        "„{name}“, seine Teile oder der Formschlüssel „{outcome}“ haben sich seit der Suche "
+        "geändert, so dass nicht zu sagen ist, welcher Teil was bewirkt. Die Änderung rückgängig "
+        "machen oder erneut suchen"
+    ),
+    (
+        "*",
+        "Under the modifiers of “{name}”, “{outcome}” has other vertices than the object, so the "
+        "shapes between cannot be scored. Apply the modifiers first",
+    ): (
+        "Unter den Modifikatoren von „{name}“ hat „{outcome}“ andere Punkte als das Objekt, so dass "
+        "die Formen dazwischen nicht zu bewerten sind. Erst die Modifikatoren anwenden"
+    ),
+    # What is refused of an animation.
+    ("*", "The spectrum needs two different frames, and both are {frame}"): (
+        "Das Spektrum braucht zwei verschiedene Einzelbilder, und beide sind {frame}"
+    ),
+    ("*", "The value {alpha:g} is outside of what “{name}” can be, {least:.2f} to {greatest:.2f}"): (
+        "Der Wert {alpha:g} liegt außerhalb dessen, was „{name}“ sein kann, {least:.2f} bis {greatest:.2f}"
+    ),
+    (
+        "*",
+        "“{name}” is driven, and a driven value cannot be keyframed. Delete its driver first, or "
+        "keyframe what drives it",
+    ): (
+        "„{name}“ hat einen Treiber, und ein getriebener Wert nimmt keine Schlüsselbilder. Erst den "
+        "Treiber löschen oder Schlüsselbilder bei dem einfügen, was ihn treibt"
+    ),
+    ("*", "Blender refused a keyframe on “{name}”; its animation may be linked or locked"): (
+        "Blender hat ein Schlüsselbild für „{name}“ abgelehnt; seine Animation ist vielleicht "
+        "verknüpft oder gesperrt"
+    ),
+    (
+        "*",
+        "The score does not rise from value {first:.3g} ({low:.3f}) to {last:.3g} ({high:.3f}), so "
+        "keys cannot be placed by it. Choose other values or another timing",
+    ): (
+        "Die Bewertung steigt von Wert {first:.3g} ({low:.3f}) bis {last:.3g} ({high:.3f}) nicht, so "
+        "dass sich Schlüsselbilder nicht nach ihr setzen lassen. Andere Werte oder einen anderen "
+        "Zeitverlauf wählen"
+    ),
+    # What is refused of the installation and the report.
+    (
+        "*",
+        "Boxmorph's compiled module cannot be loaded ({error}). Install the extension's zip for this "
+        "operating system and processor",
+    ): (
+        "Boxmorphs kompiliertes Modul lässt sich nicht laden ({error}). Das Zip der Erweiterung für "
+        "dieses Betriebssystem und diesen Prozessor installieren"
+    ),
+    (
+        "*",
+        "Blender has kept the compiled module of another build of Boxmorph {version}. Remove the "
+        "extension, restart Blender and install it again",
+    ): (
+        "Blender hat das kompilierte Modul eines anderen Baus von Boxmorph {version} behalten. Die "
+        "Erweiterung entfernen, Blender neu starten und sie wieder installieren"
+    ),
+    (
+        "*",
+        "Boxmorph {version} was installed while {loaded} was in use. Restart Blender to finish the update",
+    ): (
+        "Boxmorph {version} wurde installiert, während {loaded} in Gebrauch war. Blender neu "
+        "starten, um die Aktualisierung abzuschließen"
+    ),
+    (
+        "*",
+        "This is Boxmorph {version}, but Blender has loaded the compiled module of {loaded}. Remove "
+        "other copies of Boxmorph from the extensions and restart Blender",
+    ): (
+        "Dies ist Boxmorph {version}, aber Blender hat das kompilierte Modul von {loaded} geladen. "
+        "Andere Kopien von Boxmorph aus den Erweiterungen entfernen und Blender neu starten"
+    ),
+    (
+        "*",
+        "The ONNX Runtime library {path} is missing. Correct its path in Boxmorph's preferences, or "
+        "clear it to use the one inside the extension",
+    ): (
+        "Die ONNX-Runtime-Bibliothek {path} fehlt. Ihren Pfad in den Einstellungen von Boxmorph "
+        "berichtigen oder leeren, um die in der Erweiterung zu verwenden"
+    ),
+    (
+        "*",
+        "The guide folder {folder} does not exist. Correct it in Boxmorph's preferences, or choose "
+        "the embedded guide there",
+    ): (
+        "Den Ordner {folder} des Leitmodells gibt es nicht. Ihn in den Einstellungen von Boxmorph "
+        "berichtigen oder dort das eingebaute Leitmodell wählen"
+    ),
+    ("*", "The folder {folder} cannot be made ({reason}). Name another"): (
+        "Der Ordner {folder} lässt sich nicht anlegen ({reason}). Einen anderen nennen"
+    ),
+    ("*", "There is no clipboard in background. Ask for the report as text"): (
+        "Im Hintergrund gibt es keine Zwischenablage. Den Bericht als Text verlangen"
+    ),
+    ("*", "The report is on the clipboard. Paste it where you tell of the bug"): (
+        "Der Bericht ist in der Zwischenablage. Dort einfügen, wo der Fehler gemeldet wird"
+    ),
+    ("*", "The report is the text “{}”. Read it in a Text Editor"): (
+        "Der Bericht ist der Text „{}“. In einem Texteditor zu lesen"
+    ),
 }
