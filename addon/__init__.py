@@ -22,6 +22,7 @@ from . import (
     search_operators,
     setting_presets,
     translations,
+    variation_operators,
 )
 
 _classes = (
@@ -31,6 +32,7 @@ _classes = (
     + history.classes
     + outcome_operators.classes
     + mix_operators.classes
+    + variation_operators.classes
     + parts_operators.classes
     + setting_presets.classes
     + bug_report.classes

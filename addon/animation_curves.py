@@ -4,6 +4,8 @@
 Curves of other data-blocks, such as objects, are found and deleted the same way.
 """
 
+import bpy
+
 
 def is_animated(key):
     """Whether keyframes or a driver set the value of shape key `key`."""
@@ -16,11 +18,39 @@ def driver(key):
     return None if animation is None else animation.drivers.find(key.path_from_id("value"))
 
 
+def is_linked(keys):
+    """Whether the keyframes of the data-block `keys` are another file's, where changes would be lost."""
+    animation = keys.animation_data
+    return animation is not None and animation.action is not None and not animation.action.is_editable
+
+
 def remove_curve(keys, path):
-    """Delete the animation curve of `path` on the Key data-block `keys`, if there is one."""
+    """Delete the animation curve of `path` on the Key data-block `keys`, if there is one and it is ours."""
     found = curve(keys, path)
-    if found is not None:
+    if found is not None and not is_linked(keys):
         curves(keys).remove(found)
+
+
+def drop_empty(keys):
+    """Delete what is empty of the animation of the data-block `keys` and used by nobody else: its slot in the
+    action, the action, the animation data.
+    """
+    animation = keys.animation_data
+    if animation is None or animation.use_tweak_mode:
+        return
+    # None without an action, or without a slot in it.
+    found = curves(keys)
+    if found is not None and not found and not is_linked(keys):
+        action, slot = animation.action, getattr(animation, "action_slot", None)
+        unshared = action.users == 1
+        animation.action = None
+        # The object's own keyframes may be in the same action, in another slot.
+        if slot is not None and not slot.users():
+            action.slots.remove(slot)
+        if unshared and len(getattr(action, "slots", ())) == 0:
+            bpy.data.actions.remove(action)
+    if animation.action is None and not animation.drivers and not animation.nla_tracks:
+        keys.animation_data_clear()
 
 
 def curve(keys, path):

@@ -56,6 +56,14 @@ def add_to(commands):
         "--shift-parts", action="store_true", help="let parts also slide over those they hang on"
     )
     deform.add_argument(
+        "--variations",
+        type=int,
+        choices=range(1, 9),
+        default=1,
+        metavar="N",
+        help="make N outcomes, 1 to 8: the best, and others that are nearly as good and look different",
+    )
+    deform.add_argument(
         "--renderer", choices=[item[0] for item in RENDERERS], help="default: as in the preferences"
     )
     after = deform.add_mutually_exclusive_group()
@@ -86,10 +94,12 @@ def add_to(commands):
     )
     deform.add_argument("--report", metavar="FILE.json", help="write a report of the search")
     deform.add_argument(
-        "--sheet", metavar="FILE.png", help="write the four views before (above) and after (below)"
+        "--sheet", metavar="FILE.png", help="write the four views before and, below, after, a row an outcome"
     )
     deform.add_argument(
-        "--spectrum", metavar="FILE.png", help="write one view at slider values from -1 to 1.5"
+        "--spectrum",
+        metavar="FILE.png",
+        help="write one view at slider values from -1 to 1.5, a row an outcome",
     )
     deform.set_defaults(run=_deform)
 
@@ -118,6 +128,7 @@ def _deform(options):
         least_scale=options.scales[0],
         greatest_scale=options.scales[1],
         shift_parts=options.shift_parts,
+        variations=options.variations,
         renderer=options.renderer,
     )
     for note in search.notes():
@@ -140,6 +151,8 @@ def _deform(options):
     _write_pictures(search, options)
     if options.report is not None:
         report = dict(search.report, file=source, output=output)
+        if options.variations > 1:
+            report["variations"] = search.reports[1:]
         with open(options.report, "w", encoding="utf-8") as file:
             json.dump(report, file, indent=2, ensure_ascii=False)
             file.write("\n")
@@ -219,13 +232,13 @@ def _write_pictures(search, options):
         return
     boxmorph = engine.library()
     rest, triangles = search.arrays.vertices, search.arrays.triangles
-    after = search.result.vertices
+    outcomes = [result.vertices for result in search.results]
     if options.sheet is not None:
-        rows = [images.render_row(boxmorph, shape, triangles) for shape in (rest, after)]
+        rows = [images.render_row(boxmorph, shape, triangles) for shape in (rest, *outcomes)]
         images.save_png(images.stack(rows), os.path.abspath(options.sheet))
     if options.spectrum is not None:
-        strip = images.spectrum_strip(boxmorph, rest, after, triangles, _STRIP)
-        images.save_png(strip, os.path.abspath(options.spectrum))
+        strips = [images.spectrum_strip(boxmorph, rest, after, triangles, _STRIP) for after in outcomes]
+        images.save_png(images.stack(strips), os.path.abspath(options.spectrum))
 
 
 class _Printer:

@@ -55,7 +55,10 @@ def remove(key):
     obj, name = _find(key)
     if name is not None:
         key.driver_remove("value")
-        animation_curves.remove_curve(obj, _path(name))
+        animation_curves.drop_empty(key.id_data)
+        if animation_curves.curve(obj, _path(name)) is not None:
+            animation_curves.remove_curve(obj, _path(name))
+            animation_curves.drop_empty(obj)
         del obj[name]
 
 

@@ -26,6 +26,11 @@ class Refusal(Exception):  # noqa: N818 (no error: the answer to a request)
         return template.format(**self._values) if self._values else template
 
 
+def refused(error):
+    """Return the Refusal that an operator told, from the RuntimeError that calling it from Python raised."""
+    return Refusal(str(error).strip().removeprefix(f"{rpt_('Error')}: "))
+
+
 def remember(sentence):
     """Keep a sentence that the user was told, unless it repeats the last."""
     if not told or told[-1] != sentence:

@@ -39,8 +39,8 @@ def keyframe_spectrum(
 
     Keyframes that lay between the two frames are replaced; others stay. Semantic timing measures the score
     and keeps its curve in the outcome's record. Raises Refusal, before anything is changed, for frames that
-    are one and the same, values that the key's slider cannot take, a value that is driven, and, in semantic
-    timing, a score that cannot be measured or does not rise.
+    are one and the same, values that the key's slider cannot take, a value that is driven, keyframes that are
+    linked or locked, and, in semantic timing, a score that cannot be measured or does not rise.
     """
     _check(key, frame_from, frame_to, alpha_from, alpha_to)
     frames, alphas = [frame_from, frame_to], [alpha_from, alpha_to]
@@ -68,17 +68,18 @@ def _check(key, frame_from, frame_to, alpha_from, alpha_to):
                 least=key.slider_min,
                 greatest=key.slider_max,
             )
-    _require_undriven(key)
+    _require_free(key)
 
 
 def keyframe_pose(keys, frame):
     """Key the present values of these shape keys at `frame`.
 
     From one such pose to the next all values run along straight lines: between two mixes of outcomes that are
-    in range, so are all others. Raises Refusal, before anything is changed, where one of them is driven.
+    in range, so are all others. Raises Refusal, before anything is changed, where one of them is driven
+    or its keyframes are linked or locked.
     """
     for key in keys:
-        _require_undriven(key)
+        _require_free(key)
     for key in keys:
         _insert(key, frame)
         curve = animation_curves.curve(key.id_data, key.path_from_id("value"))
@@ -88,11 +89,23 @@ def keyframe_pose(keys, frame):
         curve.update()
 
 
-def _require_undriven(key):
+def _require_free(key):
     if animation_curves.driver(key) is not None:
         raise Refusal(
             "“{name}” is driven, and a driven value cannot be keyframed. Delete its driver first, or "
             "keyframe what drives it",
+            name=key.name,
+        )
+    if animation_curves.is_linked(key.id_data):
+        raise Refusal(
+            "The keyframes of “{name}” are linked from another file, where changes would be lost. Make "
+            "them local first (Object > Relations > Make Local > All)",
+            name=key.name,
+        )
+    curve = animation_curves.curve(key.id_data, key.path_from_id("value"))
+    if curve is not None and (curve.lock or (curve.group is not None and curve.group.lock)):
+        raise Refusal(
+            "The animation of “{name}” is locked. Unlock its channel in the Graph Editor first",
             name=key.name,
         )
 

@@ -49,20 +49,7 @@ class ObjectArrays(NamedTuple):
 
 def deformable(obj):
     """Return `obj` if a shape key can be written on it. Raises Refusal with the reason otherwise."""
-    if obj is None:
-        raise Refusal("There is no active object. Select the object to deform")
-    if obj.type != "MESH":
-        raise Refusal(
-            "“{name}” is a {kind}, not a mesh. Convert it to a mesh first",
-            name=obj.name,
-            kind=_noun(obj.type),
-        )
-    if obj.override_library or obj.library or obj.data.library or not obj.data.is_editable:
-        raise Refusal(
-            "The mesh of “{name}” is linked from another file, where changes would be lost. Make the "
-            "object and its data local first (Object > Relations > Make Local)",
-            name=obj.name,
-        )
+    own_mesh(obj)
     if obj.mode != "OBJECT":
         raise Refusal(
             "“{name}” is in {mode} Mode. Go to Object Mode first",
@@ -78,6 +65,25 @@ def deformable(obj):
         )
     if len(obj.data.vertices) == 0:
         raise Refusal("The mesh of “{name}” is empty", name=obj.name)
+    return obj
+
+
+def own_mesh(obj):
+    """Return `obj` if it is a mesh object of this file. Raises Refusal otherwise."""
+    if obj is None:
+        raise Refusal("There is no active object. Select the object to deform")
+    if obj.type != "MESH":
+        raise Refusal(
+            "“{name}” is a {kind}, not a mesh. Convert it to a mesh first",
+            name=obj.name,
+            kind=_noun(obj.type),
+        )
+    if obj.override_library or obj.library or obj.data.library or not obj.data.is_editable:
+        raise Refusal(
+            "The mesh of “{name}” is linked from another file, where changes would be lost. Make the "
+            "object and its data local first (Object > Relations > Make Local)",
+            name=obj.name,
+        )
     return obj
 
 

@@ -22,7 +22,7 @@ from . import (
     shape_key,
     take_apart,
 )
-from .errors import Refusal, tells_refusals
+from .errors import Refusal, refused, tells_refusals
 from .preferences import preferences
 from .properties import timing
 from .redraw import redraw_panels
@@ -175,7 +175,7 @@ class BOXMORPH_OT_search_again(_OnOutcome, bpy.types.Operator):
         try:
             done = bpy.ops.boxmorph.deform("INVOKE_DEFAULT", **settings)
         except RuntimeError as error:
-            raise Refusal(str(error).strip().removeprefix("Error: ")) from error
+            raise refused(error) from error
         # A search that goes on beside the user's work is an operator of its own by now.
         return {"FINISHED"} if "RUNNING_MODAL" in done else done
 

@@ -128,7 +128,10 @@ class BOXMORPH_MT_outcome(bpy.types.Menu):
     def draw(self, context):
         layout = self.layout
         key = context.boxmorph_outcome
+        layout.operator("boxmorph.show_outcome", icon="HIDE_OFF").key = key.name
+        layout.separator()
         layout.operator("boxmorph.search_again", icon="FILE_REFRESH").key = key.name
+        layout.operator("boxmorph.variations", icon="PRESET").key = key.name
         layout.separator()
         apart = shape_key.is_apart(key.id_data.user, key.name)
         kind = "put_together" if apart else "take_apart"

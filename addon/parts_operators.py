@@ -5,7 +5,7 @@ import bpy
 from bpy.app.translations import pgettext_rpt as rpt_
 from bpy.props import IntProperty
 
-from . import parts, refine
+from . import mesh_io, parts, refine
 from .errors import tells_refusals
 from .redraw import redraw_viewports
 
@@ -34,8 +34,9 @@ class BOXMORPH_OT_forget_parts(bpy.types.Operator):
     bl_label = "Forget Parts"
     bl_options = {"REGISTER", "UNDO"}
 
+    @tells_refusals
     def execute(self, context):
-        parts.forget(context.active_object)
+        parts.forget(mesh_io.own_mesh(context.active_object))
         redraw_viewports()
         return {"FINISHED"}
 
@@ -49,8 +50,9 @@ class BOXMORPH_OT_lock_part(bpy.types.Operator):
 
     index: IntProperty(options={"HIDDEN"})
 
+    @tells_refusals
     def execute(self, context):
-        part = context.active_object.boxmorph.items[self.index]
+        part = mesh_io.own_mesh(context.active_object).boxmorph.items[self.index]
         part.lock = (not all(part.lock),) * 3
         return {"FINISHED"}
 

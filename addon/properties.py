@@ -145,6 +145,14 @@ class SearchProperties:
         "More can be reached, and the search is less sure to find it",
         default=False,
     )
+    variations: IntProperty(
+        name="Variations",
+        description="How many outcomes to make: the best, and others that are nearly as good and look "
+        "different. Each takes about a third as long again",
+        min=1,
+        max=8,
+        default=1,
+    )
 
 
 class BoxmorphSettings(SearchProperties, bpy.types.PropertyGroup):

@@ -14,6 +14,7 @@ from . import control, engine, mesh_io, modifiers, parts, progress_pictures, spa
 from .errors import Refusal
 from .preferences import preferences
 from .shape_key import Trial
+from .variations import keep_variations
 
 
 class Search:
@@ -32,6 +33,7 @@ class Search:
         least_scale=0.3,
         greatest_scale=3.1,
         shift_parts=False,
+        variations=1,
         renderer=None,
     ):
         mesh_io.deformable(obj)
@@ -60,6 +62,7 @@ class Search:
             "keep_size": None if keep_size == "auto" else keep_size,
             "scale_range": (least_scale, greatest_scale),
             "shift_parts": shift_parts,
+            "variations": variations,
             "renderer": renderer or preferences().renderer,
         }
         if self.arrays.points is not None:
@@ -82,6 +85,8 @@ class Search:
         self.progress = self._job.progress()
         self.result = None
         self.name = None
+        #: The outcomes kept, `result` and its variations, and their reports.
+        self.results, self.reports = [], []
         #: How far what is seen under the modifiers is from what was scored, as a share of its size.
         self._away = 0.0
 
@@ -110,7 +115,7 @@ class Search:
     def _unknown(self, word, say):
         """Return an unknown word in quotes, with the nearest one the guide knows."""
         if not self.nearest[word]:
-            return f"“{word}”"
+            return say("“{}”").format(word)
         return say("“{word}” (nearest: “{known}”)").format(word=word, known=self.nearest[word][0])
 
     def poll(self):
@@ -146,12 +151,27 @@ class Search:
         return self._job.best_view(progress_pictures.SIZE)
 
     def keep(self, obj, context):
-        """Make the finished search's result the outcome shape key of `obj`. Raises Refusal if it failed."""
+        """Make the finished search's result the outcome shape key of `obj`, and its variations keys beside
+        it. Raises Refusal if it failed.
+        """
         try:
             self._job.join()
-            result = self._job.result()
+            results = self._job.result().variations
         except self._expected() as error:
             raise Refusal(engine.sentence(error)) from error
+        # All that can fail comes before the first key is kept.
+        first, *others = [self._outcome(obj, context, result) for result in results]
+        names = [self._trial.keep(obj, *first)]
+        names += keep_variations(obj, names[0], others)
+        for name in names:
+            control.update_limits(obj.data.shape_keys.key_blocks[name])
+        self.results, self.reports = results, [outcome[-1] for outcome in (first, *others)]
+        for name, report in zip(names, self.reports, strict=True):
+            report["shape_key"] = name
+        self.name, self.result, self.report = names[0], results[0], self.reports[0]
+
+    def _outcome(self, obj, context, result):
+        """Return the positions, the slider limits and the report of one outcome as they are to be kept."""
         positions = result.vertices if self.arrays.points is None else result.points
         positions = self.arrays.to_object(positions)
         if not np.isfinite(positions).all():
@@ -166,13 +186,12 @@ class Search:
             self.arrays.vertices, result.vertices, coarse, result.graph, result.scales
         )
         if self.arrays.points is not None:
-            positions, self._away = self._under_modifiers(obj, context, positions, result)
+            positions, away = self._under_modifiers(obj, context, positions, result)
             # JSON knows no infinity.
-            report["modifiers_depart"] = self._away if np.isfinite(self._away) else None
-        self.name = self._trial.keep(obj, positions, result.slider_min, result.slider_max, report)
-        control.update_limits(self._trial.key(obj))
-        report["shape_key"] = self.name
-        self.result, self.report = result, report
+            report["modifiers_depart"] = away if np.isfinite(away) else None
+            # Of several outcomes the farthest counts, and NaN is farther than any.
+            self._away = float(np.maximum(self._away, away))
+        return positions, result.slider_min, result.slider_max, report
 
     def _under_modifiers(self, obj, context, positions, result):
         """Return the positions corrected by what is seen under the modifiers, and how far that is from what
@@ -237,9 +256,19 @@ class Search:
 
     def summary(self, say=str):
         """Return one line on the outcome: prompt, scores, seconds."""
-        r = self.result
-        words = say("“{}”: score {:.3f} → {:.3f} in {:.1f} s")
-        return words.format(self.name, r.score_before, r.score_after, r.seconds)
+        r, more = self.result, len(self.results) - 1
+        scores = say("score {:.3f} → {:.3f} in {:.1f} s").format(r.score_before, r.score_after, r.seconds)
+        if self.report["variations_asked"] == 1:
+            return say("“{name}”: {scores}").format(name=self.name, scores=scores)
+        of = self.report["variations_asked"] - 1
+        if more == of:
+            words = say("“{name}”: {scores}, with {found}")
+        else:
+            words = say(
+                "“{name}”: {scores}, with {found} of {total}; no others are as good and look different"
+            )
+        found = say("1 variation" if more == 1 else "{} variations").format(more)
+        return words.format(name=self.name, scores=scores, found=found, total=of)
 
     def _expected(self):
         b = self._boxmorph

@@ -150,7 +150,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
                 name=requests[0].name,
             )
         running.running.waiting += new
-        names = ", ".join(f"“{request.name}”" for request in new)
+        names = ", ".join(rpt_("“{}”").format(request.name) for request in new)
         is_one = len(new) == 1
         waits = rpt_("{} waits for the search that runs" if is_one else "{} wait for the search that runs")
         self.report({"INFO"}, waits.format(names))

@@ -12,14 +12,17 @@ import json
 
 import numpy as np
 
-from .animation_curves import remove_curve
-from .mesh_io import key_positions
+from .animation_curves import drop_empty, is_animated, remove_curve
+from .mesh_io import key_positions, mesh_positions
 
 RECORDS = "boxmorph"
 
 #: In the record of an outcome that was taken apart: the names of its pieces, and the value that it had.
 PIECES = "pieces"
 _VALUE = "value_before_pieces"
+
+#: Custom property of a Key data-block whose Basis was made for the outcomes, and goes with the last of them.
+_OWN_BASIS = "boxmorph_basis"
 
 #: In every record: a hash of the key's positions, by which a renamed key is known. A shape key has no
 #: identity of its own besides its name.
@@ -118,13 +121,27 @@ def note(mesh, name, field, value):
     _store(mesh.shape_keys, stored)
 
 
+def keep_record(mesh, name, report):
+    """Make `report` the record of the outcome `name`, which becomes the newest."""
+    stored = records(mesh)
+    stored.pop(name, None)
+    stored[name] = report
+    _store(mesh.shape_keys, stored)
+
+
 def remove_outcome(obj, name):
-    """Delete an outcome: its key, its pieces, its record and its animation."""
+    """Delete an outcome: its key, its pieces, its record and its animation; with the last one, the Basis, if
+    it was made for it.
+    """
     remove_pieces(obj, name)
     stored = records(obj.data)
     stored.pop(name, None)
-    _remove_key(obj, obj.data.shape_keys.key_blocks[name])
-    _store(obj.data.shape_keys, stored)
+    keys = obj.data.shape_keys
+    _remove_key(obj, keys.key_blocks[name])
+    _store(keys, stored)
+    untouched = np.array_equal(key_positions(keys.reference_key), mesh_positions(obj.data))
+    if keys.get(_OWN_BASIS) and len(keys.key_blocks) == 1 and untouched:
+        obj.shape_key_clear()
 
 
 def set_limits(key, least, greatest):
@@ -135,7 +152,15 @@ def set_limits(key, least, greatest):
 
 def piece_name(name, label):
     """Return the key name of a piece of the outcome `name`; of the two, the outcome's name is cut."""
-    tail = f": {label}"
+    return _with_tail(name, f": {label}")
+
+
+def numbered_name(name, number):
+    """Return the key name of the variation `number` of the outcome `name`."""
+    return _with_tail(name, f" {number}")
+
+
+def _with_tail(name, tail):
     return name.encode()[: _NAME_BYTES - len(tail.encode())].decode(errors="ignore").rstrip() + tail
 
 
@@ -179,10 +204,10 @@ def remove_pieces(obj, name):
 
 def _remove_key(obj, key):
     keys = obj.data.shape_keys
-    key.driver_remove("value")
-    animation = keys.animation_data
-    if animation is not None and animation.action is not None:
+    if is_animated(key):
+        key.driver_remove("value")
         remove_curve(keys, key.path_from_id("value"))
+        drop_empty(keys)
     obj.shape_key_remove(key)
 
 
@@ -248,10 +273,7 @@ class Trial:
         key = self.key(obj)
         set_limits(key, slider_min, slider_max)
         key.value = 1.0
-        stored = records(obj.data)
-        stored.pop(self.name, None)
-        stored[self.name] = report
-        _store(obj.data.shape_keys, stored)
+        keep_record(obj.data, self.name, report)
         return self.name
 
     def take_back(self, obj):
@@ -290,7 +312,9 @@ class Trial:
     def _create(self, obj):
         """Make the key, or take the earlier outcome of the same prompt, and set the other outcomes to 0."""
         if obj.data.shape_keys is None:
-            obj.shape_key_add(name="Basis", from_mix=False)
+            # Blender 5.0 gives new keys the value 1.
+            obj.shape_key_add(name="Basis", from_mix=False).value = 0.0
+            obj.data.shape_keys[_OWN_BASIS] = True
         blocks = obj.data.shape_keys.key_blocks
         if self.previous is not None and self._wanted in blocks:
             key = blocks[self._wanted]

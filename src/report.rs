@@ -41,6 +41,12 @@ pub struct Report {
     pub boundary: String,
     /// The renderer.
     pub renderer: String,
+    /// Outcomes that were asked for.
+    pub variations_asked: usize,
+    /// Which of them this is; 0 is the best.
+    pub variation: usize,
+    /// How far it is from the best: root mean square over the surface, as a share of the bounding box's diagonal.
+    pub distance: f64,
     /// Vertices of the mesh.
     pub vertices: usize,
     /// Triangles of the mesh.

@@ -165,6 +165,15 @@ MESSAGES = {
         "Teile auch über die gleiten lassen, an denen sie hängen: Beine nach außen, Flügel nach "
         "hinten. Mehr ist erreichbar, und die Suche findet es weniger sicher"
     ),
+    ("*", "Variations"): "Variationen",
+    (
+        "*",
+        "How many outcomes to make: the best, and others that are nearly as good and look different. "
+        "Each takes about a third as long again",
+    ): (
+        "Wie viele Ergebnisse entstehen: das beste und andere, die fast so gut sind und anders "
+        "aussehen. Jedes braucht etwa ein Drittel der Zeit dazu"
+    ),
     ("Operator", "Add Search Preset"): "Voreinstellung der Suche hinzufügen",
     ("*", "Save the settings of the search as a preset, or delete one"): (
         "Die Einstellungen der Suche als Voreinstellung speichern oder eine löschen"
@@ -175,6 +184,7 @@ MESSAGES = {
     ("*", "Reading the prompt"): "Liest den Prompt",
     ("*", "Finding the parts"): "Sucht die Teile",
     ("*", "Searching with {} part boxes"): "Sucht mit {} Boxen",
+    ("*", "Searching variations"): "Sucht Variationen",
     ("*", "Done"): "Fertig",
     ("*", "Generation {}"): "Generation {}",
     ("*", "Generation {} of {}"): "Generation {} von {}",
@@ -247,6 +257,22 @@ MESSAGES = {
     ): (
         "Noch einmal suchen, mit Prompt und Einstellungen des Ergebnisses und dem nächsten "
         "Startwert. Was gefunden wird, tritt an seine Stelle"
+    ),
+    ("Operator", "Variations"): "Variationen",
+    (
+        "*",
+        "Search again for the prompt of this outcome, and add others that are nearly as good and "
+        "look different, each as a shape key. They take the place of its earlier variations",
+    ): (
+        "Noch einmal nach dem Prompt dieses Ergebnisses suchen und andere hinzufügen, die fast so "
+        "gut sind und anders aussehen, jedes als Formschlüssel. Sie treten an die Stelle seiner "
+        "früheren Variationen"
+    ),
+    ("*", "Count"): "Anzahl",
+    ("*", "Outcomes in all, with the one there is"): ("Ergebnisse insgesamt, mit dem, das es schon gibt"),
+    ("Operator", "Show Only This"): "Nur dieses zeigen",
+    ("*", "Set this outcome to 1 and all others of the object to 0"): (
+        "Dieses Ergebnis auf 1 setzen und alle anderen des Objekts auf 0"
     ),
     ("Operator", "Take Apart"): "Zerlegen",
     (
@@ -596,7 +622,15 @@ MESSAGES = {
     ("*", "The search ended in coordinates that are not numbers; nothing was changed"): (
         "Die Suche endete in Koordinaten, die keine Zahlen sind; nichts wurde geändert"
     ),
-    ("*", "“{}”: score {:.3f} → {:.3f} in {:.1f} s"): "„{}“: Bewertung {:.3f} → {:.3f} in {:.1f} s",
+    ("*", "score {:.3f} → {:.3f} in {:.1f} s"): "Bewertung {:.3f} → {:.3f} in {:.1f} s",
+    ("*", "“{}”"): "„{}“",
+    ("*", "“{name}”: {scores}"): "„{name}“: {scores}",
+    ("*", "“{name}”: {scores}, with {found}"): "„{name}“: {scores}, mit {found}",
+    ("*", "“{name}”: {scores}, with {found} of {total}; no others are as good and look different"): (
+        "„{name}“: {scores}, mit {found} von {total}; keine anderen sind so gut und sehen anders aus"
+    ),
+    ("*", "1 variation"): "1 Variation",
+    ("*", "{} variations"): "{} Variationen",
     ("*", "Refine at Part Boundaries cuts them"): "„An Teilgrenzen verfeinern“ zerschneidet sie",
     (
         "*",
@@ -797,6 +831,17 @@ MESSAGES = {
     ),
     (
         "*",
+        "The keyframes of “{name}” are linked from another file, where changes would be lost. Make "
+        "them local first (Object > Relations > Make Local > All)",
+    ): (
+        "Die Schlüsselbilder von „{name}“ sind mit einer anderen Datei verknüpft, wo Änderungen "
+        "verloren gingen. Sie erst lokal machen (Object > Relations > Make Local > All)"
+    ),
+    ("*", "The animation of “{name}” is locked. Unlock its channel in the Graph Editor first"): (
+        "Die Animation von „{name}“ ist gesperrt. Erst ihren Kanal im Grapheneditor entsperren"
+    ),
+    (
+        "*",
         "The score does not rise from value {first:.3g} ({low:.3f}) to {last:.3g} ({high:.3f}), so "
         "keys cannot be placed by it. Choose other values or another timing",
     ): (
@@ -858,6 +903,7 @@ MESSAGES = {
     ("*", "There is no clipboard in background. Ask for the report as text"): (
         "Im Hintergrund gibt es keine Zwischenablage. Den Bericht als Text verlangen"
     ),
+    ("*", "Error"): "Fehler",
     ("*", "The report is on the clipboard. Paste it where you tell of the bug"): (
         "Der Bericht ist in der Zwischenablage. Dort einfügen, wo der Fehler gemeldet wird"
     ),

@@ -219,7 +219,12 @@ class Job:
         | None = None,  # None: the diagonal; with locks "off", so that what is locked keeps its size
         keep_place: Literal["bottom", "off"] = "bottom",
         points: NDArray[np.float32] | None = None,  # (k, 3), moved by the same field
-    ) -> None: ...
+        variations: int = 1,  # outcomes wanted, 1 to 8
+    ) -> None:
+        """With `variations` the job goes on, after its usual search, to outcomes that are nearly as good as
+        its result and look different. Each takes about a third as long again.
+        """
+
     def start(self) -> None: ...
     def progress(self) -> dict[str, Any]:
         """The job as it stands now.
@@ -267,5 +272,12 @@ class Result:
     def slider_min(self) -> float: ...
     @property
     def slider_max(self) -> float: ...
+    @property
+    def variations(self) -> list[Result]:
+        """The outcomes: this one, which a job without variations finds too, then the others, best first.
+
+        As many as were asked for or, where fewer are good enough and differ, as there are. Those others list
+        themselves alone.
+        """
     def report(self) -> dict[str, Any]:
         """The record: parameters, seed, guide's hash, versions, scores, costs. JSON-ready."""

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
+use super::MOST_VARIATIONS;
 use crate::boxdef::BoxDefError;
 use crate::guide::GuideError;
 use crate::render::RenderError;
@@ -51,6 +52,9 @@ pub enum JobError {
     /// Locks without the graph whose rows they name.
     #[error("locked names the parameter rows of a graph; give that graph too")]
     LocksWithoutGraph,
+    /// More variations than there can be, or none.
+    #[error("variations must be a whole number from 1 to {MOST_VARIATIONS}")]
+    Variations,
     /// There is nothing to search.
     #[error(transparent)]
     Space(#[from] SpaceError),

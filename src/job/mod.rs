@@ -3,12 +3,14 @@
 
 mod background;
 mod error;
+mod finalist;
 mod outcome;
 mod progress;
 mod proxy;
 mod run;
 mod soundness;
 mod spectrum_scores;
+mod variations;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex};
@@ -20,6 +22,7 @@ pub use error::JobError;
 pub use outcome::Outcome;
 pub use progress::Progress;
 pub use spectrum_scores::spectrum_scores;
+pub use variations::MOST_VARIATIONS;
 
 use crate::boxdef::{Boundary, BoxDefGraph, Symmetry};
 use crate::guide::Guide;
@@ -61,6 +64,9 @@ pub struct JobSpec {
     pub keep_size: Option<KeepSize>,
     /// Place kept by the gauge.
     pub keep_place: KeepPlace,
+    /// Outcomes wanted, 1 to [`MOST_VARIATIONS`]: the best, and others that are nearly as good and far from it
+    /// and from each other.
+    pub variations: usize,
     /// Further points to be moved by the same field, such as a base mesh under modifiers.
     pub points: Option<Vec<Vec3>>,
 }
@@ -91,6 +97,9 @@ impl Job {
     /// Checks what is to be done; nothing runs yet.
     pub fn new(spec: JobSpec) -> Result<Self, JobError> {
         spec.guide.check_prompt(&spec.prompt)?;
+        if !(1..=MOST_VARIATIONS).contains(&spec.variations) {
+            return Err(JobError::Variations);
+        }
         if let Some(points) = &spec.points
             && points.iter().any(|p| !p.is_finite())
         {

@@ -107,6 +107,8 @@ pub struct Outcome {
     pub graph: Arc<BoxDefGraph>,
     /// The range of the slider.
     pub slider: SliderLimits,
+    /// Further outcomes, best first, where variations were asked for: as many as that, or as there are.
+    pub variations: Vec<Arc<Outcome>>,
     /// The record.
     pub report: Report,
 }

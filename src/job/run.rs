@@ -5,56 +5,33 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
+use super::finalist::{Finalist, improves};
 use super::outcome::{Best, Outcome, Stage};
 use super::progress::Harness;
 use super::proxy::Proxy;
 use super::soundness::Soundness;
+use super::variations::Pool;
 use super::{JobError, JobSpec};
 use crate::boxdef::{BoxDefGraph, Ground};
 use crate::render::{self, View};
 use crate::report::{GuideRecord, Report};
 use crate::search::{
-    self, Evaluation, Footing, ImagePlan, Objective, SearchSpace, Start, StopReason, Target,
+    self, Evaluation, Footing, Found, ImagePlan, Novelty, Objective, SearchSpace, Sketch, Start, Target,
 };
 use crate::spectrum::{DEFAULT_RANGE, slider_limits};
 
 /// Between the seeds of searches of the same boxes; far from the small seeds that people choose.
-const AGAIN: u64 = 0x9e37_79b9;
+pub const AGAIN: u64 = 0x9e37_79b9;
 
-/// First step size of a restart, in units of the search variable.
-const WIDE: f64 = 1.0;
-
-/// What one search found, judged by every image.
-struct Finalist {
-    best: Best,
-    before: Evaluation,
-    after: Evaluation,
-    /// Whether it is another shape than what was given.
-    improved: bool,
-    sound: bool,
-    stop: StopReason,
-}
-
-impl Finalist {
-    /// Another shape goes before what was given, a sound one before one that crosses itself, then that of
-    /// greater worth.
-    fn beats(&self, other: &Self) -> bool {
-        let rank = |f: &Self| (f.improved, f.sound, f.after.worth());
-        rank(self) > rank(other)
-    }
-
-    /// Whether another search might do better: a rival is near, or the shape crosses itself.
-    fn falls_short(&self) -> bool {
-        self.after.rivalry > 0.0 || !self.sound
-    }
-}
+/// First step size of a search that is to look farther, in units of the search variable.
+pub const WIDE: f64 = 1.0;
 
 /// Sums over all searches, for the record.
 #[derive(Default)]
-struct Spent {
+pub struct Spent {
     generations: usize,
-    evaluations: usize,
-    images: usize,
+    pub evaluations: usize,
+    pub images: usize,
     renderer: String,
 }
 
@@ -65,8 +42,9 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
     harness.update(|p| p.phase = "Finding the parts".into());
     let proxy = Proxy::of(&spec.mesh);
     let stages = stages(spec, &proxy, harness)?;
-    let searches = stages.len() + spec.preset.restarts;
+    let searches = stages.len() + spec.preset.restarts + spec.variations - 1;
     harness.update(|p| p.generations = searches * spec.preset.max_generations);
+    let sketch = Sketch::of(proxy.mesh());
     let mut run = Run {
         spec,
         harness,
@@ -77,6 +55,8 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
         searches: 0,
         spent: Spent::default(),
         winner: None,
+        pool: Pool::default(),
+        sketch: &sketch,
     };
     for (index, stage) in stages.iter().enumerate() {
         let again = stages[..index].iter().filter(|earlier| Arc::ptr_eq(earlier, stage)).count();
@@ -92,7 +72,9 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
             run.search(stage, &Start { factors: stage.whole.unchanged(), sigma: WIDE, seed })?;
         }
     }
-    run.outcome()
+    run.searches = stages.len() + spec.preset.restarts;
+    let variations = run.vary()?;
+    run.outcome(variations)
 }
 
 /// The graphs to search. A split count that gives the boxes of an earlier one shares its graph: the boxes are
@@ -122,21 +104,33 @@ fn stages(spec: &JobSpec, proxy: &Proxy<'_>, harness: &Harness) -> Result<Vec<Ar
 }
 
 /// A run under way.
-struct Run<'a> {
-    spec: &'a JobSpec,
-    harness: &'a Harness,
+pub struct Run<'a> {
+    pub spec: &'a JobSpec,
+    pub harness: &'a Harness,
     target: &'a Target,
     views: &'a [View],
     /// What is scored of the mesh.
     proxy: &'a Proxy<'a>,
-    soundness: Soundness<'a>,
+    pub soundness: Soundness<'a>,
     /// Searches done.
     searches: usize,
-    spent: Spent,
-    winner: Option<Finalist>,
+    pub spent: Spent,
+    pub winner: Option<Finalist>,
+    /// What variations are chosen from, where there are to be any,
+    pub pool: Pool,
+    /// and by what they are compared.
+    pub sketch: &'a Sketch<'a>,
 }
 
-impl Run<'_> {
+/// A search that was made, and what evaluates its candidates.
+pub struct Hunt<'a> {
+    pub objective: Objective<'a>,
+    /// The unchanged object.
+    before: Evaluation,
+    pub found: Found,
+}
+
+impl<'a> Run<'a> {
     /// Where the first search of a stage starts: at the best so far, if the preset has it so.
     fn start_of(&self, stage: &Stage) -> Vec<Vec3> {
         let mut factors = stage.whole.unchanged();
@@ -149,7 +143,41 @@ impl Run<'_> {
 
     /// Searches a stage, and keeps what it finds if it beats the winner so far.
     fn search(&mut self, stage: &Arc<Stage>, start: &Start) -> Result<(), JobError> {
+        let Hunt { mut objective, before, found } = self.hunt(stage, start, None)?;
+        let (mut after, mut factors, mut improved) = (before, stage.whole.unchanged(), false);
+        // Where what the loss likes best is no more like the prompt, the candidate that is most like it.
+        for candidate in [found.factors, found.highest] {
+            let judged = objective.evaluate(std::slice::from_ref(&candidate), ImagePlan::All)?[0];
+            self.spent.evaluations += 1;
+            if improves(&judged, &before) {
+                (after, factors, improved) = (judged, candidate, true);
+                break;
+            }
+        }
+        self.spent.images += objective.images_encoded();
+        self.spent.renderer = objective.backend_name();
+        let sound = self.soundness.holds(&stage.scored.deform(&factors));
+        let best = Best { score: after.score, factors, stage: stage.clone() };
+        let finalist = Finalist { best, before, after, improved, sound, stop: found.stop };
+        if self.winner.as_ref().is_none_or(|winner| finalist.beats(winner)) {
+            self.winner = Some(finalist);
+        }
+        Ok(())
+    }
+
+    /// Searches a stage: for the best there or, with `novelty`, for a variation.
+    pub fn hunt(
+        &mut self,
+        stage: &Arc<Stage>,
+        start: &Start,
+        novelty: Option<Novelty<'a>>,
+    ) -> Result<Hunt<'a>, JobError> {
         let (spec, harness) = (self.spec, self.harness);
+        let phase = match &novelty {
+            Some(_) => "Searching variations".into(),
+            None => format!("Searching with {} part boxes", stage.graph.box_center().len()),
+        };
+        let varies = novelty.is_some();
         let mut objective = Objective::new(
             self.proxy.mesh(),
             stage.scored.clone(),
@@ -158,11 +186,12 @@ impl Run<'_> {
             spec.backend,
             self.views,
             &spec.preset,
-        )?;
+        )?
+        .away_from(novelty);
         let before = objective.evaluate(&[stage.whole.unchanged()], ImagePlan::All)?[0];
         self.spent.evaluations += 1;
         harness.update(|p| {
-            p.phase = format!("Searching with {} part boxes", stage.graph.box_center().len());
+            p.phase = phase;
             p.score_before = Some(before.score);
         });
         let total = harness.progress().generations.max(1);
@@ -183,7 +212,11 @@ impl Run<'_> {
                     p.evaluations = evaluations_before + generation.evaluations;
                     p.fraction = done as f64 / total as f64;
                 });
-                if generation.best_score > shown {
+                if spec.variations > 1 {
+                    self.pool.add(stage, generation.candidates, generation.worth);
+                }
+                // Until all have been found the best is shown, not a variation on the way.
+                if !varies && generation.best_score > shown {
                     shown = generation.best_score;
                     let factors = generation.best_factors.to_vec();
                     harness.set_best(Best { score: shown, factors, stage: stage.clone() });
@@ -192,45 +225,35 @@ impl Run<'_> {
             })?;
         self.spent.generations += found.generations;
         self.spent.evaluations += found.evaluations;
-        // The unchanged object competes too: an outcome is never worse than what was given. Only where a
-        // comparative asks for more than the pictures reward, the score may fall.
-        let improves = |after: &Evaluation| {
-            let asked = after.shortfall < before.shortfall && after.worth() >= before.worth();
-            asked || after.score > before.score
-        };
-        let (mut after, mut factors, mut improved) = (before, stage.whole.unchanged(), false);
-        // Where what the loss likes best is no more like the prompt, the candidate that is most like it.
-        for candidate in [found.factors, found.highest] {
-            let judged = objective.evaluate(std::slice::from_ref(&candidate), ImagePlan::All)?[0];
-            self.spent.evaluations += 1;
-            if improves(&judged) {
-                (after, factors, improved) = (judged, candidate, true);
-                break;
-            }
-        }
         self.searches += 1;
-        self.spent.images += objective.images_encoded();
-        self.spent.renderer = objective.backend_name();
-        let sound = self.soundness.holds(&stage.scored.deform(&factors));
-        let best = Best { score: after.score, factors, stage: stage.clone() };
-        let finalist = Finalist { best, before, after, improved, sound, stop: found.stop };
-        if self.winner.as_ref().is_none_or(|winner| finalist.beats(winner)) {
-            self.winner = Some(finalist);
-        }
-        Ok(())
+        Ok(Hunt { objective, before, found })
     }
 
     /// The winner under its gauge, with its record.
-    fn outcome(self) -> Result<Outcome, JobError> {
-        let Self { spec, harness, proxy, spent, winner, .. } = self;
-        let Finalist { best, before, after, stop, .. } = winner.ok_or(JobError::NotFinished)?;
+    fn outcome(mut self, others: Vec<(f64, Finalist)>) -> Result<Outcome, JobError> {
+        let winner = self.winner.take().ok_or(JobError::NotFinished)?;
+        self.harness.update(|p| p.phase = "Done".into());
+        self.harness.set_best(winner.best.clone());
+        let others = others.into_iter().enumerate();
+        let variations =
+            others.map(|(i, (d, other))| Arc::new(self.told(other, i + 1, d, Vec::new()))).collect();
+        Ok(self.told(winner, 0, 0.0, variations))
+    }
+
+    fn told(
+        &self,
+        finalist: Finalist,
+        variation: usize,
+        distance: f64,
+        variations: Vec<Arc<Outcome>>,
+    ) -> Outcome {
+        let Self { spec, harness, proxy, spent, .. } = self;
+        let Finalist { best, before, after, stop, .. } = finalist;
         let (gauge, vertices) = best.gauged(spec);
         let points = best.points(gauge);
         let slider = slider_limits(best.scales(), gauge.scale, DEFAULT_RANGE);
         let graph = best.stage.graph.clone();
         let shifts = best.shifts();
-        harness.update(|p| p.phase = "Done".into());
-        harness.set_best(best.clone());
         let report = Report {
             boxmorph: env!("CARGO_PKG_VERSION").into(),
             prompt: spec.prompt.clone(),
@@ -247,7 +270,10 @@ impl Run<'_> {
             scale_range: spec.scale_range.into(),
             symmetry: graph.symmetry().name().into(),
             boundary: graph.boundary().name().into(),
-            renderer: spent.renderer,
+            renderer: spent.renderer.clone(),
+            variations_asked: spec.variations,
+            variation,
+            distance,
             vertices: spec.mesh.vertices().len(),
             triangles: spec.mesh.triangles().len(),
             scored_triangles: proxy.mesh().triangles().len(),
@@ -269,10 +295,10 @@ impl Run<'_> {
             slider_max: slider.max,
         };
         let scales = best.scales().to_vec();
-        Ok(Outcome { vertices, points, scales, shifts, graph, slider, report })
+        Outcome { vertices, points, scales, shifts, graph, slider, variations, report }
     }
 }
 
-fn check(harness: &Harness) -> Result<(), JobError> {
+pub fn check(harness: &Harness) -> Result<(), JobError> {
     if harness.is_cancelled() { Err(JobError::Cancelled) } else { Ok(()) }
 }

@@ -73,6 +73,7 @@ impl IntoPyErr for JobError {
             | Self::BadSpectrum
             | Self::GraphAndParts
             | Self::LocksWithoutGraph
+            | Self::Variations
             | Self::Space(_) => PyValueError::new_err(self.to_string()),
             error => PyRuntimeError::new_err(error.to_string()),
         }

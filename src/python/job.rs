@@ -25,7 +25,7 @@ impl PyJob {
     #[new]
     #[pyo3(signature = (mesh, prompt, guide=None, preset="standard", seed=0, *, splits=None, symmetry=None, boundary=None,
                         graph=None, locked=None, scale_range=SCALE_RANGE, shift_parts=false, renderer="auto", keep_size=None,
-                        keep_place="bottom", points=None))]
+                        keep_place="bottom", points=None, variations=1))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of the Python surface")]
     fn new(
         py: Python<'_>,
@@ -45,6 +45,7 @@ impl PyJob {
         keep_size: Option<&str>,
         keep_place: &str,
         points: Option<&Bound<'_, PyAny>>,
+        variations: i64,
     ) -> PyResult<Self> {
         let guide = match guide {
             Some(guide) => guide.0.clone(),
@@ -68,6 +69,8 @@ impl PyJob {
             backend: renderer.parse().map_err(|e| IntoPyErr::into_py_err(&e))?,
             keep_size: keep_size.map(self::keep_size).transpose()?,
             keep_place: self::keep_place(keep_place)?,
+            // What is no count is refused as 0 is.
+            variations: usize::try_from(variations).unwrap_or(0),
             points: points.map(|points| arrays::vectors(points, "points")).transpose()?,
         };
         Ok(Self(Job::new(spec).map_err(IntoPyErr::into_py_err)?))
@@ -187,6 +190,12 @@ impl PyResult_ {
     #[getter]
     fn slider_max(&self) -> f32 {
         self.0.slider.max
+    }
+
+    /// This and the further outcomes, where more than one was asked for.
+    #[getter]
+    fn variations(&self) -> Vec<Self> {
+        std::iter::once(&self.0).chain(&self.0.variations).cloned().map(Self).collect()
     }
 
     fn report<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {

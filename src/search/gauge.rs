@@ -76,6 +76,13 @@ impl Gauge {
         Self { scale, shift }
     }
 
+    /// The diagonal of the bounding box of points; 1 where there is none to measure by.
+    #[must_use]
+    pub fn diagonal(points: &[Vec3]) -> f32 {
+        let diagonal = Extent::of(points).map_or(0.0, |extent| extent.diagonal() as f32);
+        if diagonal > 0.0 { diagonal } else { 1.0 }
+    }
+
     /// Applies the gauge to points: the deformed ones it was made from, or others deformed by the same
     /// field.
     pub fn apply(&self, points: &mut [Vec3]) {

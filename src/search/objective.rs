@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use super::preset::{ImagePlan, NORMAL_WEIGHT, Preset};
-use super::{Comparison, Target};
+use super::{Comparison, Novelty, Target};
 use crate::boxdef::DeformField;
 use crate::guide::{Guide, GuideError};
 use crate::mesh::Mesh;
@@ -36,7 +36,9 @@ pub struct Evaluation {
     pub rivalry: f64,
     /// By how much it falls short of what a comparative in the prompt asks for, weighted by the preset.
     pub shortfall: f64,
-    /// `−score + rivalry + shortfall + 0.25 · normal error + weight · effort`; lower is better.
+    /// What it costs to be near to other outcomes, where it is to be far from them ([`Novelty`]).
+    pub nearness: f64,
+    /// `−score + rivalry + shortfall + nearness + 0.25 · normal error + weight · effort`; lower is better.
     pub loss: f64,
 }
 
@@ -55,6 +57,7 @@ pub struct Objective<'a> {
     guide: &'a Guide,
     target: &'a Target,
     comparison: Option<Comparison>,
+    novelty: Option<Novelty<'a>>,
     renderer: Box<dyn Renderer>,
     preset: &'a Preset,
     rest_normals: Vec<Vec3>,
@@ -83,6 +86,7 @@ impl<'a> Objective<'a> {
             guide,
             target,
             comparison: Comparison::of(target.prompt(), mesh.vertices()),
+            novelty: None,
             renderer,
             preset,
             rest_normals,
@@ -90,6 +94,12 @@ impl<'a> Objective<'a> {
             rgb: Vec::new(),
             images_encoded: 0,
         })
+    }
+
+    /// Has candidates keep away from other outcomes.
+    #[must_use]
+    pub fn away_from(self, novelty: Option<Novelty<'a>>) -> Self {
+        Self { novelty, ..self }
     }
 
     /// Images encoded so far.
@@ -116,13 +126,14 @@ impl<'a> Objective<'a> {
         let embeddings = self.guide.image_embeddings(&self.rgb)?;
         self.images_encoded += candidates.len() * pairs.len();
         let (mesh, field, rest) = (self.mesh, &*self.field, self.rest_normals.as_slice());
-        let comparison = self.comparison;
-        let measured: Vec<(f64, f64)> = candidates
+        let (comparison, novelty) = (self.comparison, self.novelty.as_ref());
+        let measured: Vec<(f64, f64, f64)> = candidates
             .par_iter()
             .map(|factors| {
                 let positions = field.deform(factors);
                 let shortfall = comparison.map_or(0.0, |comparison| comparison.shortfall(&positions));
-                (normal_error(mesh, rest, &positions), shortfall)
+                let distance = novelty.map_or(0.0, |n| n.distance(&n.sketch.draw(&positions)));
+                (normal_error(mesh, rest, &positions), shortfall, distance)
             })
             .collect();
         let per_candidate = pairs.len() * self.target.dimension();
@@ -131,12 +142,13 @@ impl<'a> Objective<'a> {
         Ok(appraisals
             .zip(measured)
             .zip(candidates)
-            .map(|(((score, rivalry), (normal_error, shortfall)), factors)| {
+            .map(|(((score, rivalry), (normal_error, shortfall, distance)), factors)| {
                 let (rivalry, shortfall) = (rival_weight * rivalry, comparison_weight * shortfall);
                 let bent = NORMAL_WEIGHT * normal_error;
-                let loss =
-                    rivalry + shortfall - score + bent + effort_weight * effort(factors, field.scale_rows());
-                Evaluation { score, normal_error, rivalry, shortfall, loss }
+                let nearness = novelty.map_or(0.0, |n| n.cost(distance, score - rivalry - shortfall));
+                let uneven = effort_weight * effort(factors, field.scale_rows());
+                let loss = rivalry + shortfall - score + bent + uneven + nearness;
+                Evaluation { score, normal_error, rivalry, shortfall, nearness, loss }
             })
             .collect())
     }

@@ -4,7 +4,7 @@
 use glam::Vec3;
 
 use super::cmaes::{CmaEs, CmaEsOptions};
-use super::{Footing, Objective, ObjectiveError, Preset, SearchError, SearchSpace, StopReason};
+use super::{Evaluation, Footing, Objective, ObjectiveError, Preset, SearchError, SearchSpace, StopReason};
 
 /// What is known after each generation.
 #[derive(Debug)]
@@ -17,6 +17,10 @@ pub struct Generation<'a> {
     pub best_score: f64,
     /// Its factors.
     pub best_factors: &'a [Vec3],
+    /// Factors of this generation's candidates.
+    pub candidates: &'a [Vec<Vec3>],
+    /// What each of them is worth.
+    pub worth: &'a [Evaluation],
 }
 
 /// The end of a search.
@@ -90,6 +94,8 @@ pub fn search<E: From<SearchError> + From<ObjectiveError>>(
             evaluations: cma.evaluations(),
             best_score: best.1,
             best_factors: &best.2,
+            candidates: &candidates,
+            worth: &evaluations,
         })?;
         if let Some(stop) = cma.stop_reason() {
             let (generations, evaluations) = (cma.generation(), cma.evaluations());

@@ -6,60 +6,16 @@ tests/blender/run_headless.py [CHROOT ...]
 """
 
 import json
-import re
 import shutil
 import sys
 from pathlib import Path
 
+from check_exchange import check_exchange
+from check_german import check_german
+from check_scripts import check_script, check_ten_objects
+from check_undo import check_undo
 from chroots import ARTIFACTS, run_everywhere
-
-#: Saved files are looked at by Blender itself: prints the shape keys of each mesh object as JSON.
-_LOOK = """
-import bpy, json
-def curves(keys):
-    animation = keys.animation_data
-    if animation is None or animation.action is None: return []
-    if not hasattr(animation.action, 'slots'): return animation.action.fcurves
-    from bpy_extras import anim_utils
-    return anim_utils.action_get_channelbag_for_slot(animation.action, animation.action_slot).fcurves
-out = {}
-for obj in bpy.data.objects:
-    if obj.type == 'MESH':
-        keys = obj.data.shape_keys
-        out[obj.name] = dict(vertices=len(obj.data.vertices), modifiers=[m.name for m in obj.modifiers],
-            materials=[m.name for m in obj.data.materials],
-            keys={} if keys is None else {k.name: [k.value, k.slider_min, k.slider_max]
-                                          for k in keys.key_blocks},
-            moved=0 if keys is None else max((a.co - b.co).length for k in keys.key_blocks
-                                             for a, b in zip(k.points, keys.reference_key.points)),
-            curves=[] if keys is None else [[list(p.co) for p in c.keyframe_points] for c in curves(keys)])
-print('LOOK' + json.dumps(out))
-"""
-
-
-def look(bench, file):
-    """Return what `_LOOK` sees in a saved file, or {} if it cannot be opened."""
-    run = bench.run("blender", "-b", "--factory-startup", file, "--python-expr", _LOOK)
-    lines = [line[4:] for line in run.stdout.splitlines() if line.startswith("LOOK")]
-    return json.loads(lines[0]) if lines else {}
-
-
-#: Prints a button, a panel and a phase as they are in German, and the button once the extension is off.
-_GERMAN = """
-import addon_utils, bpy, importlib
-NAME = 'bl_ext.user_default.boxmorph'
-texts = bpy.app.translations
-view = bpy.context.preferences.view
-view.language = next(locale for locale in texts.locales if locale.startswith('de'))
-view.use_translate_interface = True
-progress = importlib.import_module(NAME + '.progress')
-known = dict(phase='Searching with 5 part boxes', generation=0, best_score=None, seconds_left=9.0)
-said = [texts.pgettext_iface('Deform to Prompt', 'Operator'), texts.pgettext_iface('Search', 'Boxmorph')]
-said += progress.progress_parts(known, texts.pgettext_iface)
-addon_utils.disable(NAME)
-said.append(texts.pgettext_iface('Deform to Prompt', 'Operator'))
-print('GERMAN' + '|'.join(filter(None, said)))
-"""
+from look import look
 
 
 def check_suite(bench, counts):
@@ -82,9 +38,10 @@ def check_suite(bench, counts):
 
     check_done(bench, boxmorph, counts)
     check_script(bench, counts)
-    run = bench.run("blender", "-b", "--python-expr", _GERMAN)
-    said = "GERMANZum Prompt verformen|Suche|Sucht mit 5 Boxen|noch 9 s|Deform to Prompt\n"
-    counts.check(said in run.stdout, "the interface speaks German", run.stdout + run.stderr)
+    check_ten_objects(bench, counts)
+    check_exchange(bench, counts)
+    check_undo(bench, counts)
+    check_german(bench, counts)
     check_failed(bench.inside, boxmorph, counts)
     check_usage(boxmorph, counts)
     after = (bench.outside / "chair.blend").read_bytes()
@@ -151,26 +108,6 @@ def check_done(bench, boxmorph, counts):
     )
     counts.check(
         "zzgribble" in run.stderr and "does not know" in run.stderr, "an unknown word is named", run.stderr
-    )
-
-
-def check_script(bench, counts):
-    """The script of docs/headless.md, with the objects of this file."""
-    page = (Path(__file__).resolve().parents[2] / "docs" / "headless.md").read_text(encoding="utf-8")
-    script = page.partition("```python\n")[2].partition("```")[0]
-    wanted = {"Chair": "a bar stool", "Plain Chair": "a sofa"}
-    script, replaced = re.subn(r"^prompts = .*$", f"prompts = {wanted}", script, flags=re.MULTILINE)
-    script = script.replace("deformed.blend", f"{bench.inside}/deformed.blend")
-    Path(f"{bench.outside}/script.py").write_text(script, encoding="utf-8")
-    run = bench.run(
-        *("blender", "-b", bench.chair, "--python-exit-code", "1", "--python", f"{bench.inside}/script.py")
-    )
-    made = look(bench, f"{bench.inside}/deformed.blend")
-    keys = {name: made.get(name, {}).get("keys", {}) for name in wanted}
-    counts.check(
-        replaced == 1 and run.returncode == 0 and all(keys[name].get(key) for name, key in wanted.items()),
-        "the script of the documents deforms several objects",
-        f"{keys}\n{run.stdout}{run.stderr}",
     )
 
 

@@ -99,13 +99,42 @@ def test_a_driven_value_is_not_keyframed(key, timing):
     assert blender.evaluated_positions(obj)[:, 2].max() == pytest.approx(0.25)
 
 
-def test_removing_an_outcome_removes_its_animation(key):
+@pytest.mark.parametrize("locked", ["curve", "group"])
+def test_locked_keyframes_are_left_alone(key, locked):
+    key.keyframe_insert("value", frame=1, group="Shapes")
+    bpy.ops.boxmorph.keyframe_spectrum(frame_from=1, frame_to=11)
+    curve = blender.addon("animation_curves").curve(key.id_data, key.path_from_id("value"))
+    (curve.group if locked == "group" else curve).lock = True
+    with pytest.raises(RuntimeError, match="is locked"):
+        bpy.ops.boxmorph.keyframe_spectrum(frame_from=3, frame_to=7, alpha_from=2.0, alpha_to=-1.0)
+    assert values(key, 1, 6, 11) == [0.0, 0.5, 1.0]
+
+
+def test_removing_an_outcome_removes_its_animation_and_no_other(key):
     keys = key.id_data
+    own = bpy.context.active_object.shape_key_add(name="Own")
+    own.keyframe_insert("value", frame=1)
     bpy.ops.boxmorph.keyframe_spectrum()
     assert bpy.ops.boxmorph.remove_outcome() == {"FINISHED"}
-    assert [block.name for block in keys.key_blocks] == ["Basis"]
-    assert blender.addon("animation_curves").curve(keys, 'key_blocks["it\'s a \\"stool\\""].value') is None
+    assert [block.name for block in keys.key_blocks] == ["Basis", "Own"]
+    assert [curve.data_path for curve in blender.addon("animation_curves").curves(keys)] == [
+        'key_blocks["Own"].value'
+    ]
     assert "boxmorph" not in keys
+
+
+def test_with_the_last_outcome_goes_what_was_made_for_it(key):
+    bpy.ops.boxmorph.keyframe_spectrum()
+    assert bpy.ops.boxmorph.remove_outcome() == {"FINISHED"}
+    assert bpy.context.active_object.data.shape_keys is None
+    assert not bpy.data.shape_keys and not bpy.data.actions
+
+
+def test_an_action_that_others_use_stays(key):
+    bpy.ops.boxmorph.keyframe_spectrum()
+    bpy.data.actions[0].use_fake_user = True
+    assert bpy.ops.boxmorph.remove_outcome() == {"FINISHED"}
+    assert len(bpy.data.actions) == 1
 
 
 def test_even_alphas_invert_the_curve():

@@ -30,6 +30,9 @@ def refused(words, prompt="a bar stool", obj=None, **options):
 
 def test_no_active_object():
     refused("no active object")
+    for operator in (bpy.ops.boxmorph.find_parts, bpy.ops.boxmorph.forget_parts, bpy.ops.boxmorph.lock_part):
+        with pytest.raises(RuntimeError, match="no active object"):
+            operator()
 
 
 def test_not_a_mesh():

@@ -123,15 +123,15 @@ def messages_of_lists():
 def messages_of_library():
     """The phases of a search, which come from the Rust library."""
     code = "".join((ROOT / "src" / "job" / name).read_text("utf-8") for name in ("run.rs", "progress.rs"))
-    found = re.findall(r'phase(?: =|:) (?:format!\()?"([^"]+)"', code)
-    assert "Searching with {} part boxes" in found and len(found) > 3
+    found = re.findall(r'"([A-Z][a-z][^"]*)"', code)
+    assert {"Waiting", "Finding the parts", "Searching with {} part boxes", "Done"} <= set(found)
     return {(ANY, phase) for phase in found}
 
 
 def messages():
     """Return all (context, message) that have to be translated."""
     found = messages_of_source() | messages_of_classes() | messages_of_lists() | messages_of_library()
-    return {(c, m) for c, m in found if re.search("[A-Za-z]{2}", m) and m not in NAMES}
+    return {(c, m) for c, m in found if re.search("[A-Za-z]{2}|“", m) and m not in NAMES}
 
 
 #: Gathered before other tests use the panels: Blender gives that of the presets another label.
