@@ -475,11 +475,11 @@ MESSAGES = {
         "halten"
     ),
     ("*", "{count} in it, {size}. Else only your last prompts are kept"): (
-        "Darin {count}, {size}. Sonst werden nur Ihre letzten Prompts gespeichert"
+        "Darin {count}, {size}. Sonst bleiben nur Ihre letzten Prompts"
     ),
     ("*", "1 folder"): "1 Ordner",
     ("*", "{} folders"): "{} Ordner",
-    ("Operator", "Open Guides Folder"): "Ordner für Leitmodelle öffnen",
+    ("Operator", "Open Guides Folder"): "Ordner öffnen",
     (
         "*",
         "Show the guides folder in the file manager, to put guides into it or delete them. Guides "
