@@ -21,6 +21,7 @@ from . import (
     properties,
     search_operators,
     setting_presets,
+    translations,
     variation_operators,
 )
 
@@ -43,6 +44,9 @@ _commands = []
 
 
 def register():
+    translations.register()
+    for cls in _classes + search_operators.classes:
+        _set_tooltip(cls)
     for cls in _classes:
         bpy.utils.register_class(cls)
     search_operators.register_operators()
@@ -63,3 +67,12 @@ def unregister():
     parts.unregister_object()
     for cls in reversed(_classes):
         bpy.utils.unregister_class(cls)
+    translations.unregister()
+
+
+def _set_tooltip(cls):
+    """Make the docstring of an operator, menu or panel its tooltip, in one line: Blender would show, and look
+    for translations of, a docstring with its line breaks and indents.
+    """
+    if cls.__doc__ and issubclass(cls, (bpy.types.Operator, bpy.types.Menu, bpy.types.Panel)):
+        cls.bl_description = " ".join(cls.__doc__.split())

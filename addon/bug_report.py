@@ -11,6 +11,7 @@ import platform
 import re
 
 import bpy
+from bpy.app.translations import pgettext_rpt as rpt_
 from bpy.props import BoolProperty
 
 from . import engine, guides, preferences_editor, running, shape_key
@@ -211,11 +212,11 @@ class BOXMORPH_OT_copy_report(bpy.types.Operator):
             if bpy.app.background:
                 raise Refusal("There is no clipboard in background. Ask for the report as text")
             context.window_manager.clipboard = report
-            self.report({"INFO"}, "The report is on the clipboard. Paste it where you tell of the bug")
+            self.report({"INFO"}, rpt_("The report is on the clipboard. Paste it where you tell of the bug"))
             return {"FINISHED"}
         block = bpy.data.texts.get(TEXT) or bpy.data.texts.new(TEXT)
         block.from_string(report)
-        self.report({"INFO"}, f"The report is the text “{TEXT}”. Read it in a Text Editor")
+        self.report({"INFO"}, rpt_("The report is the text “{}”. Read it in a Text Editor").format(TEXT))
         return {"FINISHED"}
 
 

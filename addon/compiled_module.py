@@ -20,12 +20,12 @@ def check(module):
     if module not in _right:
         fault = difference(module, _HERE)
         if fault:
-            raise Refusal(fault)
+            raise fault
         _right.append(module)
 
 
 def difference(module, extension):
-    """Return a sentence on how `module` differs from the wheel in the folder `extension`, or None."""
+    """Return a Refusal on how `module` differs from the wheel in the folder `extension`, or None."""
     manifest = tomllib.loads((extension / "blender_manifest.toml").read_text(encoding="utf-8"))
     version = manifest["version"]
     unpacked = pathlib.Path(module.__file__).parents[1] / f"boxmorph-{version}.dist-info" / "RECORD"
@@ -35,18 +35,23 @@ def difference(module, extension):
             return None
         if _compiled(unpacked.read_text(encoding="utf-8")) == _compiled(_record(extension, manifest)):
             return None
-        return (
-            f"Blender has kept the compiled module of another build of Boxmorph {version}. "
-            "Remove the extension, restart Blender and install it again"
+        return Refusal(
+            "Blender has kept the compiled module of another build of Boxmorph {version}. "
+            "Remove the extension, restart Blender and install it again",
+            version=version,
         )
     if unpacked.is_file():
-        return (
-            f"Boxmorph {version} was installed while {module.__version__} was in use. "
-            "Restart Blender to finish the update"
+        return Refusal(
+            "Boxmorph {version} was installed while {loaded} was in use. "
+            "Restart Blender to finish the update",
+            version=version,
+            loaded=module.__version__,
         )
-    return (
-        f"This is Boxmorph {version}, but Blender has loaded the compiled module of {module.__version__}. "
-        "Remove other copies of Boxmorph from the extensions and restart Blender"
+    return Refusal(
+        "This is Boxmorph {version}, but Blender has loaded the compiled module of {loaded}. "
+        "Remove other copies of Boxmorph from the extensions and restart Blender",
+        version=version,
+        loaded=module.__version__,
     )
 
 

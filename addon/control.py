@@ -24,11 +24,12 @@ def add(obj, key):
     driven or keyframed.
     """
     if animation_curves.driver(key) is not None:
-        raise Refusal(f"“{key.name}” is driven already")
+        raise Refusal("“{name}” is driven already", name=key.name)
     if animation_curves.is_animated(key):
         raise Refusal(
-            f"“{key.name}” has keyframes, which a driver would hide. Delete them first, and key the control "
-            "instead"
+            "“{name}” has keyframes, which a driver would hide. Delete them first, and key the control "
+            "instead",
+            name=key.name,
         )
     name = _free_name(obj, key.name)
     obj[name] = key.value

@@ -15,7 +15,7 @@ from .preferences import preferences
 _RUNTIME = "ORT_DYLIB_PATH"
 _environment = {}
 
-#: The last guide that was opened, by the preferences of then, and the sentence on why it could not be; one of
+#: The last guide that was opened, by the preferences of then, and the Refusal where it could not be; one of
 #: the two is None.
 _guides = {}
 
@@ -28,8 +28,9 @@ def library():
     path = prefs.runtime_library.strip()
     if path and not os.path.isfile(guides.absolute(path)):
         raise Refusal(
-            f"The ONNX Runtime library {path} is missing. Correct its path in Boxmorph's preferences, "
-            "or clear it to use the one inside the extension"
+            "The ONNX Runtime library {path} is missing. Correct its path in Boxmorph's preferences, or "
+            "clear it to use the one inside the extension",
+            path=path,
         )
     # Both are read once, when the module first needs them.
     _name_runtime(guides.absolute(path) if path else None)
@@ -39,8 +40,9 @@ def library():
         import boxmorph
     except ImportError as error:
         raise Refusal(
-            f"Boxmorph's compiled module cannot be loaded ({error}). Install the extension's zip for this "
-            "operating system and processor"
+            "Boxmorph's compiled module cannot be loaded ({error}). Install the extension's zip for this "
+            "operating system and processor",
+            error=str(error),
         ) from error
     compiled_module.check(boxmorph)
     return boxmorph
@@ -87,7 +89,7 @@ def open_guide(again=False):
         guide = _open(guide, *choice)
     except Refusal as refusal:
         _guides.clear()
-        _guides[choice] = None, str(refusal)
+        _guides[choice] = None, refusal
         raise
     _guides[choice] = guide, None
     return guide
@@ -97,8 +99,9 @@ def _open(guide, folder, _runtime_library, threads, provider):
     boxmorph = library()
     if folder is not None and not os.path.isdir(folder):
         raise Refusal(
-            f"The guide folder {folder} does not exist. Correct it in Boxmorph's preferences, "
-            "or choose the embedded guide there"
+            "The guide folder {folder} does not exist. Correct it in Boxmorph's preferences, or choose "
+            "the embedded guide there",
+            folder=folder,
         )
     if guide is not None:
         return guide
@@ -111,8 +114,8 @@ def _open(guide, folder, _runtime_library, threads, provider):
 
 
 def known_guide():
-    """Return the guide of the present preferences if it is open, and the sentence on why it cannot be opened
-    if that was tried; None for what is not known. Opens nothing.
+    """Return the guide of the present preferences if it is open, and the Refusal if it was tried and could
+    not be opened; None for what is not known. Opens nothing.
     """
     return _guides.get(_guide_choice(), (None, None))
 

@@ -4,12 +4,31 @@
 import collections
 import functools
 
+from bpy.app.translations import pgettext_rpt as rpt_
+
 #: The last sentences told in this session, the newest last; for the report on a bug.
 told = collections.deque(maxlen=10)
 
 
 class Refusal(Exception):  # noqa: N818 (no error: the answer to a request)
-    """Boxmorph does not do what was asked; the message says why and what to do instead."""
+    """Boxmorph does not do what was asked; the message says why and what to do instead.
+
+    It is a template for translators, and the values of its fields. As a str it is English.
+    """
+
+    def __init__(self, template, **values):
+        self._template, self._values = template, values
+        super().__init__(self.said(str))
+
+    def said(self, say):
+        """Return the message as `say` translates it."""
+        template = say(self._template)
+        return template.format(**self._values) if self._values else template
+
+
+def refused(error):
+    """Return the Refusal that an operator told, from the RuntimeError that calling it from Python raised."""
+    return Refusal(str(error).strip().removeprefix(f"{rpt_('Error')}: "))
 
 
 def remember(sentence):
@@ -21,7 +40,7 @@ def remember(sentence):
 def tell(operator, refusal):
     """Make a Refusal the error report of an operator, and return what the operator is to return."""
     remember(str(refusal))
-    operator.report({"ERROR"}, str(refusal))
+    operator.report({"ERROR"}, refusal.said(rpt_))
     return {"CANCELLED"}
 
 

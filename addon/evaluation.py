@@ -73,23 +73,27 @@ def keep(obj, key, evaluation):
     shape_key.note(obj.data, key.name, FIELD, evaluation)
 
 
-def lines(evaluation):
-    """Return an evaluation in plain words, a line for each measure."""
+def lines(evaluation, say=str):
+    """Return an evaluation in plain words, a line for each measure; in English, unless `say` translates."""
     e = evaluation
     if e["self_intersections_after"] is None:
-        crossing = f"Crossing faces: not counted, for there are more than {_COUNTED:,} triangles"
+        crossing = say("Crossing faces: not counted, for there are more than {:,} triangles").format(_COUNTED)
     else:
         before, after = e["self_intersections_before"], e["self_intersections_after"]
-        crossing = f"Crossing faces: {before:.2%} before, {after:.2%} now"
+        crossing = say("Crossing faces: {:.2%} before, {:.2%} now").format(before, after)
+    likeness = say("Likeness to the prompt: {:.3f} before, {:.3f} now")
+    front_right = say("From the front right: {:.3f} before, {:.3f} now")
+    curvature = say("Curvature: changed by {:.3f} radians at a vertex on average")
+    shading = say("Shading: normals turned by {:.1f}° on average")
     out = [
-        f"Likeness to the prompt: {e['score_before']:.3f} before, {e['score_after']:.3f} now",
-        f"From the front right: {e['front_right_before']:.3f} before, {e['front_right_after']:.3f} now",
+        likeness.format(e["score_before"], e["score_after"]),
+        front_right.format(e["front_right_before"], e["front_right_after"]),
         crossing,
-        f"Curvature: changed by {e['curvature_change']:.3f} radians at a vertex on average",
-        f"Shading: normals turned by {np.degrees(_angle(e['normal_error'])):.1f}° on average",
+        curvature.format(e["curvature_change"]),
+        shading.format(np.degrees(_angle(e["normal_error"]))),
     ]
     if e["largest_scale"] is not None:
-        out.append(f"Parts: scaled by {e['least_scale']:.2f} to {e['largest_scale']:.2f}")
+        out.append(say("Parts: scaled by {:.2f} to {:.2f}").format(e["least_scale"], e["largest_scale"]))
     return out
 
 

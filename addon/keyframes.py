@@ -55,12 +55,18 @@ def keyframe_spectrum(
 
 def _check(key, frame_from, frame_to, alpha_from, alpha_to):
     if frame_from == frame_to:
-        raise Refusal(f"The spectrum needs two different frames, and both are {frame_from}")
+        raise Refusal(
+            "The spectrum needs two different frames, and both are {frame}",
+            frame=frame_from,
+        )
     for alpha in (alpha_from, alpha_to):
         if not key.slider_min - 1e-6 <= alpha <= key.slider_max + 1e-6:
             raise Refusal(
-                f"The value {alpha:g} is outside of what “{key.name}” can be, "
-                f"{key.slider_min:.2f} to {key.slider_max:.2f}"
+                "The value {alpha:g} is outside of what “{name}” can be, {least:.2f} to {greatest:.2f}",
+                alpha=alpha,
+                name=key.name,
+                least=key.slider_min,
+                greatest=key.slider_max,
             )
     _require_free(key)
 
@@ -86,18 +92,21 @@ def keyframe_pose(keys, frame):
 def _require_free(key):
     if animation_curves.driver(key) is not None:
         raise Refusal(
-            f"“{key.name}” is driven, and a driven value cannot be keyframed. Delete its driver first, or "
-            "keyframe what drives it"
+            "“{name}” is driven, and a driven value cannot be keyframed. Delete its driver first, or "
+            "keyframe what drives it",
+            name=key.name,
         )
     if animation_curves.is_linked(key.id_data):
         raise Refusal(
-            f"The keyframes of “{key.name}” are linked from another file, where changes would be lost. "
-            "Make them local first (Object > Relations > Make Local > All)"
+            "The keyframes of “{name}” are linked from another file, where changes would be lost. Make "
+            "them local first (Object > Relations > Make Local > All)",
+            name=key.name,
         )
     curve = animation_curves.curve(key.id_data, key.path_from_id("value"))
     if curve is not None and (curve.lock or (curve.group is not None and curve.group.lock)):
         raise Refusal(
-            f"The animation of “{key.name}” is locked. Unlock its channel in the Graph Editor first"
+            "The animation of “{name}” is locked. Unlock its channel in the Graph Editor first",
+            name=key.name,
         )
 
 
@@ -139,4 +148,7 @@ def _replace_keyframes(key, frames, alphas, interpolation):
 
 def _insert(key, frame):
     if not key.keyframe_insert("value", frame=frame):
-        raise Refusal(f"Blender refused a keyframe on “{key.name}”; its animation may be linked or locked")
+        raise Refusal(
+            "Blender refused a keyframe on “{name}”; its animation may be linked or locked",
+            name=key.name,
+        )

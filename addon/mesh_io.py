@@ -51,15 +51,20 @@ def deformable(obj):
     """Return `obj` if a shape key can be written on it. Raises Refusal with the reason otherwise."""
     own_mesh(obj)
     if obj.mode != "OBJECT":
-        raise Refusal(f"“{obj.name}” is in {_noun(obj.mode).title()} Mode. Go to Object Mode first")
+        raise Refusal(
+            "“{name}” is in {mode} Mode. Go to Object Mode first",
+            name=obj.name,
+            mode=_noun(obj.mode).title(),
+        )
     keys = obj.data.shape_keys
     if keys is not None and not keys.use_relative:
         raise Refusal(
-            f"“{obj.name}” has absolute shape keys, which play one after another. "
-            "Turn on Relative in its shape key panel first"
+            "“{name}” has absolute shape keys, which play one after another. Turn on Relative in its "
+            "shape key panel first",
+            name=obj.name,
         )
     if len(obj.data.vertices) == 0:
-        raise Refusal(f"The mesh of “{obj.name}” is empty")
+        raise Refusal("The mesh of “{name}” is empty", name=obj.name)
     return obj
 
 
@@ -68,11 +73,16 @@ def own_mesh(obj):
     if obj is None:
         raise Refusal("There is no active object. Select the object to deform")
     if obj.type != "MESH":
-        raise Refusal(f"“{obj.name}” is a {_noun(obj.type)}, not a mesh. Convert it to a mesh first")
+        raise Refusal(
+            "“{name}” is a {kind}, not a mesh. Convert it to a mesh first",
+            name=obj.name,
+            kind=_noun(obj.type),
+        )
     if obj.override_library or obj.library or obj.data.library or not obj.data.is_editable:
         raise Refusal(
-            f"The mesh of “{obj.name}” is linked from another file, where changes would be lost. "
-            "Make the object and its data local first (Object > Relations > Make Local)"
+            "The mesh of “{name}” is linked from another file, where changes would be lost. Make the "
+            "object and its data local first (Object > Relations > Make Local)",
+            name=obj.name,
         )
     return obj
 
@@ -99,7 +109,7 @@ def object_arrays(obj, context, bare=False):
 def shown_arrays(obj, context):
     """Return positions (n,3) float32 times scale and triangles (m,3) int32 as the viewport shows them now."""
     if obj.mode == "EDIT":
-        raise Refusal(f"“{obj.name}” is in Edit Mode. Go to Object Mode first")
+        raise Refusal("“{name}” is in Edit Mode. Go to Object Mode first", name=obj.name)
     evaluated = obj.evaluated_get(context.evaluated_depsgraph_get())
     mesh = evaluated.to_mesh()
     try:
@@ -154,8 +164,10 @@ def as_modelled(obj, context, key_index=0):
     """
     if obj.name not in context.view_layer.objects:
         raise Refusal(
-            f"“{obj.name}” is not in the view layer “{context.view_layer.name}”, so its modifiers cannot be "
-            "evaluated. Enable its collection first"
+            "“{name}” is not in the view layer “{layer}”, so its modifiers cannot be evaluated. Enable "
+            "its collection first",
+            name=obj.name,
+            layer=context.view_layer.name,
         )
     pinned, active = obj.show_only_shape_key, obj.active_shape_key_index
     posing = [m for m in obj.modifiers if m.show_viewport and m.type in POSING]
@@ -184,21 +196,30 @@ def _require_finite(positions, obj):
     bad = int((~np.isfinite(positions)).any(axis=1).sum())
     if bad:
         raise Refusal(
-            f"{bad} of the {len(positions)} vertices of “{obj.name}” have coordinates that are not numbers. "
-            "Delete or move them first"
+            "{count} of the {total} vertices of “{name}” have coordinates that are not numbers. Delete "
+            "or move them first",
+            count=bad,
+            total=len(positions),
+            name=obj.name,
         )
 
 
 def _require_surface(vertices, triangles, obj):
     _require_finite(vertices, obj)
     if len(triangles) == 0:
-        raise Refusal(f"The mesh of “{obj.name}” has no faces, so there is nothing to see or to split")
+        raise Refusal(
+            "The mesh of “{name}” has no faces, so there is nothing to see or to split",
+            name=obj.name,
+        )
     corners = vertices[triangles].astype(np.float64)
     corners -= corners.min(axis=(0, 1))
     size = corners.max()
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     if size == 0.0 or np.linalg.norm(normals, axis=1).sum() <= 1e-9 * size * size:
-        raise Refusal(f"The faces of “{obj.name}” have no area, so there is nothing to see or to split")
+        raise Refusal(
+            "The faces of “{name}” have no area, so there is nothing to see or to split",
+            name=obj.name,
+        )
 
 
 def _uneven_scale(obj):

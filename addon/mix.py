@@ -9,6 +9,7 @@ differ, nothing is known of which meet, and the most that each takes away is add
 from typing import NamedTuple
 
 import numpy as np
+from bpy.app.translations import pgettext_rpt as rpt_
 
 from . import animation_curves, shape_key
 from .errors import Refusal
@@ -58,18 +59,21 @@ def mix(obj, amount=1.0):
     apart = [share for share in shares if share.key is None]
     if len(mixed) < 2:
         raise Refusal(
-            f"“{obj.name}” has fewer than two outcomes to mix: muted ones and those taken apart are left out"
+            "“{name}” has fewer than two outcomes to mix: muted ones and those taken apart are left out",
+            name=obj.name,
         )
     for share in mixed:
         if animation_curves.driver(share.key) is not None:
             raise Refusal(
-                f"“{share.name}” is driven, so its value cannot be set. Delete its driver first, or mute it"
+                "“{name}” is driven, so its value cannot be set. Delete its driver first, or mute it",
+                name=share.name,
             )
-    notes = [f"“{share.name}” is taken apart, and its pieces stay as they are" for share in apart]
+    of_apart = rpt_("“{}” is taken apart, and its pieces stay as they are")
+    notes = [of_apart.format(share.name) for share in apart]
     weights = np.array([share.key.value for share in mixed], np.float64)
     if np.count_nonzero(weights) == 1:
         only = mixed[np.flatnonzero(weights)[0]].name
-        return [*notes, f"Only “{only}” has a value other than 0, and it keeps that"]
+        return [*notes, rpt_("Only “{}” has a value other than 0, and it keeps that").format(only)]
     weights = weights if weights.any() else np.ones(len(mixed))
     values = amount * weights / np.abs(weights).sum()
     values *= _within_sliders(values, [share.key for share in mixed])
@@ -78,7 +82,7 @@ def mix(obj, amount=1.0):
         share.key.value = value
     reached = np.abs(values).sum()
     if reached < amount - _ROUNDING:
-        notes.append(f"There is room for an amount of {reached:.2f}, not {amount:.2f}")
+        notes.append(rpt_("There is room for an amount of {:.2f}, not {:.2f}").format(reached, amount))
     return notes
 
 
@@ -157,8 +161,9 @@ def _within_parts(values, mixed, others):
     if not fits(0.0):
         names = ", ".join(f"“{other.name}”" for other in others)
         raise Refusal(
-            f"The pieces of {names} already make a part thinner than a twentieth of itself. "
-            "Put it together first, or set its pieces nearer to 0"
+            "The pieces of {names} already make a part thinner than a twentieth of itself. Put it "
+            "together first, or set its pieces nearer to 0",
+            names=names,
         )
     if fits(1.0):
         return 1.0

@@ -16,7 +16,10 @@ def apply_as_new(obj, name):
     blocks = obj.data.shape_keys.key_blocks
     shown = [blocks[name], *shape_key.pieces(obj.data, name)]
     if all(key.mute or key.value == 0.0 for key in shown):
-        raise Refusal(f"“{name}” is off, so that nothing of it is seen. Give it a value first")
+        raise Refusal(
+            "“{name}” is off, so that nothing of it is seen. Give it a value first",
+            name=name,
+        )
     shown = {key.name for key in shown}
     new = obj.copy()
     new.data = obj.data.copy()

@@ -4,6 +4,9 @@ it, search it again, take it apart, make it an object, remove it, show the views
 """
 
 import bpy
+from bpy.app.translations import pgettext_iface as iface_
+from bpy.app.translations import pgettext_rpt as rpt_
+from bpy.app.translations import pgettext_tip as tip_
 from bpy.props import FloatProperty, IntProperty, StringProperty
 
 from . import (
@@ -19,7 +22,7 @@ from . import (
     shape_key,
     take_apart,
 )
-from .errors import Refusal, tells_refusals
+from .errors import Refusal, refused, tells_refusals
 from .preferences import preferences
 from .properties import timing
 from .redraw import redraw_panels
@@ -29,7 +32,7 @@ def has_outcome(operator, context):
     """Whether the active object has an outcome; if not, `operator`, a class, tells so where it is offered."""
     obj = context.active_object
     if obj is None or obj.type != "MESH" or not shape_key.records(obj.data):
-        operator.poll_message_set("The active object has no outcome yet. Deform it to a prompt first")
+        operator.poll_message_set(tip_("The active object has no outcome yet. Deform it to a prompt first"))
         return False
     return True
 
@@ -49,7 +52,11 @@ class _OnOutcome:
         """Return the active object, checked, and the key that is meant."""
         obj = mesh_io.deformable(context.active_object)
         if self.key and self.key not in shape_key.records(obj.data):
-            raise Refusal(f"“{obj.name}” has no outcome named “{self.key}”")
+            raise Refusal(
+                "“{name}” has no outcome named “{outcome}”",
+                name=obj.name,
+                outcome=self.key,
+            )
         name = self.key or shape_key.meant_outcome(obj)[0]
         return obj, obj.data.shape_keys.key_blocks[name]
 
@@ -132,8 +139,9 @@ class BOXMORPH_OT_evaluate(_OnOutcome, bpy.types.Operator):
         done = self.execute(context)
         if done == {"FINISHED"} and not bpy.app.background:
             _obj, key = self.outcome(context)
+            lines = evaluation.lines(self.evaluated, iface_)
             context.window_manager.popup_menu(
-                lambda menu, _context: [menu.layout.label(text=line) for line in self.lines],
+                lambda menu, _context: [menu.layout.label(text=line) for line in lines],
                 title=key.name,
                 icon="INFO",
             )
@@ -142,10 +150,9 @@ class BOXMORPH_OT_evaluate(_OnOutcome, bpy.types.Operator):
     @tells_refusals
     def execute(self, context):
         obj, key = self.outcome(context)
-        evaluated = evaluation.evaluate(obj, context, key)
-        evaluation.keep(obj, key, evaluated)
-        self.lines = evaluation.lines(evaluated)
-        self.report({"INFO"}, f"“{key.name}”: {'; '.join(self.lines)}")
+        self.evaluated = evaluation.evaluate(obj, context, key)
+        evaluation.keep(obj, key, self.evaluated)
+        self.report({"INFO"}, f"“{key.name}”: {'; '.join(evaluation.lines(self.evaluated, rpt_))}")
         redraw_panels()
         return {"FINISHED"}
 
@@ -168,7 +175,7 @@ class BOXMORPH_OT_search_again(_OnOutcome, bpy.types.Operator):
         try:
             done = bpy.ops.boxmorph.deform("INVOKE_DEFAULT", **settings)
         except RuntimeError as error:
-            raise Refusal(str(error).strip().removeprefix("Error: ")) from error
+            raise refused(error) from error
         # A search that goes on beside the user's work is an operator of its own by now.
         return {"FINISHED"} if "RUNNING_MODAL" in done else done
 
@@ -186,7 +193,8 @@ class BOXMORPH_OT_add_control(_OnOutcome, bpy.types.Operator):
     def execute(self, context):
         obj, key = self.outcome(context)
         name = control.add(obj, key)
-        self.report({"INFO"}, f"“{key.name}” follows the custom property “{name}” of “{obj.name}”")
+        done = rpt_("“{outcome}” follows the custom property “{control}” of “{name}”")
+        self.report({"INFO"}, done.format(outcome=key.name, control=name, name=obj.name))
         return {"FINISHED"}
 
 
@@ -220,7 +228,7 @@ class BOXMORPH_OT_take_apart(_OnOutcome, bpy.types.Operator):
     def execute(self, context):
         obj, key = self.outcome(context)
         made = take_apart.take_apart(obj, context, key.name)
-        self.report({"INFO"}, f"“{key.name}” is now {len(made)} shape keys")
+        self.report({"INFO"}, rpt_("“{}” is now {} shape keys").format(key.name, len(made)))
         return {"FINISHED"}
 
 
@@ -238,9 +246,8 @@ class BOXMORPH_OT_put_together(_OnOutcome, bpy.types.Operator):
         obj, key = self.outcome(context)
         missing = take_apart.put_together(obj, key.name)
         if missing:
-            self.report(
-                {"WARNING"}, f"{missing} of its shape keys, deleted or renamed, were left as they are"
-            )
+            left = rpt_("{} of its shape keys, deleted or renamed, were left as they are")
+            self.report({"WARNING"}, left.format(missing))
         return {"FINISHED"}
 
 

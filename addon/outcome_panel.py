@@ -4,6 +4,7 @@ else can be done with it, and its keyframes.
 """
 
 import bpy
+from bpy.app.translations import pgettext_iface as iface_
 
 from . import animation_curves, mix, running, score_curve, shape_key
 from .sidebar import Sidebar
@@ -19,7 +20,7 @@ class BOXMORPH_UL_outcomes(bpy.types.UIList):
         side = row.row(align=True)
         side.alignment = "RIGHT"
         side.active = key.value != 0.0 and not key.mute
-        side.label(text=f"{report.get('score_after', 0.0):.2f}")
+        side.label(text=f"{report.get('score_after', 0.0):.2f}", translate=False)
         side.prop(key, "value", text="", emboss=False)
 
     def filter_items(self, _context, keys, _property):
@@ -56,7 +57,7 @@ class BOXMORPH_PT_outcomes(Sidebar, bpy.types.Panel):
             )
             _draw_mix(layout, obj)
         row = layout.row(align=True)
-        row.prop(key, "value", text=name, slider=True)
+        row.prop(key, "value", text=name, translate=False, slider=True)
         row.prop_decorator(key, "value")
         row.context_pointer_set("boxmorph_outcome", key)
         row.menu("BOXMORPH_MT_outcome", text="", icon="DOWNARROW_HLT")
@@ -80,16 +81,16 @@ def _draw_ends(layout, key, report):
     """Draw what lies at the ends of the slider, and the scores along it where they are known."""
     row = layout.row()
     row.active = False
-    row.label(text=f"{key.slider_min:.1f} away")
+    row.label(text=iface_("{:.1f} away").format(key.slider_min))
     middle = row.row()
     middle.alignment = "CENTER"
-    middle.label(text=f"{report['score_before']:.2f} → {report['score_after']:.2f}")
+    middle.label(text=f"{report['score_before']:.2f} → {report['score_after']:.2f}", translate=False)
     end = row.row()
     end.alignment = "RIGHT"
-    end.label(text=f"beyond {key.slider_max:.1f}")
+    end.label(text=iface_("beyond {:.1f}").format(key.slider_max))
     curve = score_curve.text(report)
     if curve is not None:
-        layout.label(text=curve)
+        layout.label(text=curve, translate=False)
 
 
 def _draw_pieces(layout, outcome):
@@ -98,11 +99,11 @@ def _draw_pieces(layout, outcome):
     if not pieces:
         return
     header, body = layout.panel(f"boxmorph_pieces_{outcome.name}")
-    header.label(text=f"Taken apart: {len(pieces)} pieces")
+    header.label(text=iface_("Taken apart: {} pieces").format(len(pieces)))
     if body is not None:
         column = body.column(align=True)
         for key in pieces:
-            column.prop(key, "value", text=key.name.rpartition(": ")[2], slider=True)
+            column.prop(key, "value", text=key.name.rpartition(": ")[2], translate=False, slider=True)
 
 
 def _draw_keyframes(layout, settings):

@@ -4,6 +4,7 @@ search. Its outcomes are in `outcome_panel`.
 """
 
 import bpy
+from bpy.app.translations import pgettext_iface as iface_
 
 from . import engine, history, preferences_editor, running, setting_presets, shape_key, spanning
 from .images import VIEWS_IMAGE
@@ -35,24 +36,24 @@ def _draw_button(layout, context):
     selected = {obj.data for obj in context.selected_objects if obj.type == "MESH"}
     row = layout.row()
     row.scale_y = 1.4
-    text, icon = "Deform to Prompt", "MOD_SIMPLEDEFORM"
+    text, icon = iface_("Deform to Prompt", "Operator"), "MOD_SIMPLEDEFORM"
     if running.running.search is not None:
-        text, icon = "Add to Queue", "ADD"
+        text, icon = iface_("Add to Queue", "Operator"), "ADD"
         obj = context.active_object
         row.enabled = obj is not None and not running.is_asked_for(obj)
     elif len(selected) > 1:
-        text = f"Deform {len(selected)} Objects to Prompt"
+        text = iface_("Deform {} Objects to Prompt", "Operator").format(len(selected))
     elif context.active_object is None or context.active_object.type != "MESH":
         row.enabled = False
-        text, icon = "Select a Mesh Object", "INFO"
+        text, icon = iface_("Select a Mesh Object", "Operator"), "INFO"
     row.operator("boxmorph.deform", text=text, icon=icon).all_selected = len(selected) > 1
 
 
 def _draw_progress(layout):
     """Draw the running search: what, how far, the best so far, the course of the score, what waits."""
     search, progress = running.running.search, running.running.progress
-    phase, generation, scores, left = progress_parts(search.progress)
-    layout.label(text=f"{search.object_name}: {search.prompt}")
+    phase, generation, scores, left = progress_parts(search.progress, iface_)
+    layout.label(text=f"{search.object_name}: {search.prompt}", translate=False)
     row = layout.row()
     row.progress(factor=min(max(search.progress["fraction"], 0.0), 1.0), type="BAR", text=phase)
     row.operator("boxmorph.cancel", text="", icon="X")
@@ -70,7 +71,7 @@ def _draw_progress(layout):
     column.label(text=scores)
     for index, request in enumerate(running.running.waiting):
         row = layout.row()
-        row.label(text=f"{request.name}: {request.settings['prompt']}", icon="TIME")
+        row.label(text=f"{request.name}: {request.settings['prompt']}", icon="TIME", translate=False)
         row.operator("boxmorph.unqueue", text="", icon="X", emboss=False).index = index
 
 
@@ -101,8 +102,8 @@ class BOXMORPH_PT_parts(Sidebar, bpy.types.Panel):
         if kept.coarse:
             _name, report = shape_key.meant_outcome(context.active_object)
             column = layout.column(align=True)
-            for clause in spanning.clauses(kept.coarse, report.get("worst_shear")):
-                column.label(text=engine.capitalised(clause), icon="INFO")
+            for clause in spanning.clauses(kept.coarse, report.get("worst_shear"), iface_):
+                column.label(text=engine.capitalised(clause), icon="INFO", translate=False)
             layout.operator("boxmorph.refine", icon="MOD_BEVEL")
 
 
@@ -140,7 +141,7 @@ class BOXMORPH_PT_guide(Sidebar, bpy.types.Panel):
         layout = self.layout
         letter = preferences_editor.LETTER * context.preferences.system.ui_scale
         letters = max(20, int(context.region.width / letter) - 6)
-        preferences_editor.draw_lines(layout, preferences_editor.guide_lines(), letters)
+        preferences_editor.draw_lines(layout, preferences_editor.guide_lines(iface_), letters)
         layout.operator("preferences.addon_show", text="Preferences", icon="PREFERENCES").module = __package__
         layout.operator("boxmorph.copy_report", icon="COPYDOWN")
 

@@ -141,8 +141,10 @@ def given_boxes(obj, collection, place):
             boxes.append(((low + high) / 2, (high - low) / 2))
     if not boxes:
         raise Refusal(
-            f"The collection “{collection.name}” holds no boxes. Put cubes around the parts of “{obj.name}” "
-            "into it, or clear the field"
+            "The collection “{collection}” holds no boxes. Put cubes around the parts of “{name}” into "
+            "it, or clear the field",
+            collection=collection.name,
+            name=obj.name,
         )
     return np.array(boxes)
 
@@ -182,8 +184,9 @@ def kept_graph(obj, mesh):
         if np.abs(now - then).max() <= _SAME * np.abs(then).max():
             return found.graph
     raise Refusal(
-        f"“{obj.name}” has changed since its parts were found. "
-        "Find them again and check the locks, or forget them"
+        "“{name}” has changed since its parts were found. Find them again and check the locks, or forget "
+        "them",
+        name=obj.name,
     )
 
 

@@ -2,6 +2,7 @@
 """Operators on the parts of the active object, and their list in the panel."""
 
 import bpy
+from bpy.app.translations import pgettext_rpt as rpt_
 from bpy.props import IntProperty
 
 from . import mesh_io, parts, refine
@@ -71,9 +72,8 @@ class BOXMORPH_OT_refine(bpy.types.Operator):
         settings = context.scene.boxmorph
         added = refine.refine(obj)
         parts.find(obj, context, settings.splits, settings.symmetry, settings.parts_collection)
-        self.report(
-            {"INFO"}, f"{added} faces added" if added else "No face spans a boundary; nothing was cut"
-        )
+        done = rpt_("{} faces added" if added else "No face spans a boundary; nothing was cut")
+        self.report({"INFO"}, done.format(added))
         return {"FINISHED"}
 
 

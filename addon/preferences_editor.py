@@ -7,11 +7,15 @@ import textwrap
 from contextlib import suppress
 
 import bpy
+from bpy.app.translations import pgettext_iface as iface_
+from bpy.app.translations import pgettext_rpt as rpt_
+from bpy.app.translations import pgettext_tip as tip_
 from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 
 from . import engine, guides
 from .errors import Refusal, tells_refusals
 from .preferences import RENDERERS, preferences
+from .sidebar import CONTEXT
 
 #: Numbers of the choices of `guide` that are always there; the guides found are counted on from the last.
 _EMBEDDED, _FOLDER, _FIRST_FOUND = range(3)
@@ -56,7 +60,7 @@ def _guide_items(_prefs, _context):
     ]
     for number, folder in enumerate(guides.found(), _FIRST_FOUND):
         name = os.path.basename(folder)
-        _listed.append((f"FOUND:{name}", name, f"The guide in {folder}", number))
+        _listed.append((f"FOUND:{name}", name, tip_("The guide in {}").format(folder), number))
     return _listed
 
 
@@ -96,6 +100,7 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
         items=_guide_items,
         get=_get_guide,
         set=_set_guide,
+        translation_context=CONTEXT,
     )
     guide_elsewhere: BoolProperty(options={"HIDDEN"})
     guide_folder: StringProperty(
@@ -153,26 +158,27 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
         row.operator("boxmorph.copy_report", text="Report as Text", icon="TEXT").as_text = True
 
     def _draw_guide(self, box, letters):
-        box.label(text="Guide", icon="VIEWZOOM")
+        box.label(text="Guide", text_ctxt=CONTEXT, icon="VIEWZOOM")
         box.prop(self, "guide")
         if self.guide == "FOLDER":
             box.prop(self, "guide_folder")
-        draw_lines(box, guide_lines(), letters)
+        draw_lines(box, guide_lines(iface_), letters)
         box.operator("boxmorph.check_guide", icon="FILE_REFRESH")
         box.separator()
         box.prop(self, "guides_folder")
         found = guides.found()
-        count = f"{len(found)} folder{'' if len(found) == 1 else 's'}" if found else "No folders"
+        count = iface_("1 folder" if len(found) == 1 else "{} folders").format(len(found))
         total = guides.megabytes(sum(map(guides.size, found)))
+        kept = iface_("{count} in it, {size}. Else only your last prompts are kept")
         row = box.row()
-        row.label(text=f"{count} in it, {total}. Else only your last prompts are kept")
+        row.label(text=kept.format(count=count, size=total))
         row.operator("boxmorph.open_guides_folder", icon="FOLDER_REDIRECT")
 
     def _draw_runtime(self, box, letters):
         box.label(text="What It Runs On", icon="MEMORY")
         box.prop(self, "runtime_library")
         box.prop(self, "provider")
-        draw_lines(box, runtime_lines(), letters)
+        draw_lines(box, runtime_lines(iface_), letters)
         box.prop(self, "threads")
         box.prop(self, "renderer")
 
@@ -182,41 +188,44 @@ def draw_lines(box, lines, letters):
     column = box.column(align=True)
     for line, icon in lines:
         for number, piece in enumerate(textwrap.wrap(line, letters)):
-            column.label(text=piece, icon="BLANK1" if number else icon)
+            column.label(text=piece, icon="BLANK1" if number else icon, translate=False)
 
 
-def guide_lines():
-    """Return lines with icons on the chosen guide: what it is, or why it does not open."""
+def guide_lines(say=str):
+    """Return lines with icons on the chosen guide: what it is, or why it does not open; in English, unless
+    `say` translates.
+    """
     guide, why = engine.known_guide()
     if why is not None:
-        return [(why, "ERROR")]
+        return [(why.said(say), "ERROR")]
     if guide is None:
-        return [("Not opened yet", "INFO")]
-    known = f"{len(guide.classes)} names" if guide.classes else "any words"
+        return [(say("Not opened yet"), "INFO")]
+    known = say("{} names").format(len(guide.classes)) if guide.classes else say("any words")
     folder = engine.guide_folder()
-    size = "inside the extension" if folder is None else guides.megabytes(guides.size(folder))
-    lines = [
-        (f"“{guide.name}” knows {known}, sees images of {guide.image_size} pixels", "CHECKMARK"),
+    size = say("inside the extension") if folder is None else guides.megabytes(guides.size(folder))
+    what = say("“{name}” knows {known}, sees images of {pixels} pixels")
+    return [
+        (what.format(name=guide.name, known=known, pixels=guide.image_size), "CHECKMARK"),
         (f"{size}, sha256 {guide.sha256[:12]}", "BLANK1"),
     ]
-    return lines
 
 
-def runtime_lines():
+def runtime_lines(say=str):
     """Return lines with icons on ONNX Runtime, as far as a guide has opened it: version, what it offers, and
-    why what was asked for is not used.
+    why what was asked for is not used; in English, unless `say` translates.
     """
     guide, _why = engine.known_guide()
     if guide is None:
         return []
     boxmorph = engine.library()
-    titles = {item[0]: item[1] for item in PROVIDERS}
+    titles = {item[0]: say(item[1]) for item in PROVIDERS}
     offered = ", ".join(titles.get(name, name) for name in boxmorph.execution_providers())
     used = titles.get(guide.provider, guide.provider)
-    lines = [(f"ONNX Runtime {boxmorph.runtime_version()} offers: {offered}. In use: {used}", "INFO")]
+    what = say("ONNX Runtime {version} offers: {offered}. In use: {used}")
+    lines = [(what.format(version=boxmorph.runtime_version(), offered=offered, used=used), "INFO")]
     named = preferences().runtime_library.strip()
     if named and guides.absolute(named) != str(boxmorph.runtime_library()):
-        lines.append(("The library named above is used once Blender starts again", "INFO"))
+        lines.append((say("The library named above is used once Blender starts again"), "INFO"))
     if guide.provider_note is not None:
         lines.append((engine.capitalised(guide.provider_note), "ERROR"))
     return lines
@@ -232,7 +241,7 @@ class BOXMORPH_OT_check_guide(bpy.types.Operator):
     @tells_refusals
     def execute(self, _context):
         engine.open_guide(again=True)
-        self.report({"INFO"}, ". ".join(line for line, _icon in guide_lines()))
+        self.report({"INFO"}, ". ".join(line for line, _icon in guide_lines(rpt_)))
         return {"FINISHED"}
 
 
@@ -251,7 +260,11 @@ class BOXMORPH_OT_open_guides_folder(bpy.types.Operator):
         try:
             os.makedirs(folder, exist_ok=True)
         except OSError as error:
-            raise Refusal(f"The folder {folder} cannot be made ({error.strerror}). Name another") from error
+            raise Refusal(
+                "The folder {folder} cannot be made ({reason}). Name another",
+                folder=folder,
+                reason=error.strerror,
+            ) from error
         return bpy.ops.wm.path_open(filepath=folder)
 
 

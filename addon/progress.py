@@ -1,28 +1,40 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A search's progress in words and pictures."""
 
+import re
+
 from .progress_pictures import ProgressPictures
 
 
-def progress_parts(progress):
-    """Return progress in words: phase, generation, scores, time left; all but the first may be empty."""
+def progress_parts(progress, say=str):
+    """Return progress in words: phase, generation, scores, time left; all but the first may be empty.
+
+    In English, unless `say` translates.
+    """
     generation = scores = left = ""
     if progress["generation"]:
-        total = f" of {progress['generations']}" if progress["generations"] else ""
-        generation = f"Generation {progress['generation']}{total}"
+        words = say("Generation {} of {}") if progress["generations"] else say("Generation {}")
+        generation = words.format(progress["generation"], progress["generations"])
     if progress["best_score"] is not None:
         before = progress["score_before"]
         before = "" if before is None else f"{before:.3f} → "
-        scores = f"Score {before}{progress['best_score']:.3f}"
+        scores = say("Score {}").format(f"{before}{progress['best_score']:.3f}")
     if progress["seconds_left"] is not None:
         seconds = progress["seconds_left"]
-        left = f"{seconds:.0f} s left" if seconds < 100 else f"{seconds / 60:.0f} min left"
-    return progress["phase"].capitalize(), generation, scores, left
+        is_short = seconds < 100
+        words = say("{:.0f} s left") if is_short else say("{:.0f} min left")
+        left = words.format(seconds if is_short else seconds / 60)
+    return _phase(progress["phase"], say), generation, scores, left
 
 
-def progress_text(progress):
-    """Return progress in one line."""
-    return "   ".join(part for part in progress_parts(progress) if part)
+def _phase(text, say):
+    """Return what the library calls a phase; it is translated without its numbers."""
+    return say(re.sub(r"\d+", "{}", text)).format(*re.findall(r"\d+", text))
+
+
+def progress_text(progress, say=str):
+    """Return progress in one line; in English, unless `say` translates."""
+    return "   ".join(part for part in progress_parts(progress, say) if part)
 
 
 class Progress:

@@ -16,6 +16,7 @@ from bpy.props import (
 from . import parts
 from .errors import Refusal
 from .keyframes import TIMINGS
+from .sidebar import CONTEXT
 from .suggestions import suggest
 
 PRESETS = (
@@ -104,6 +105,7 @@ class SearchProperties:
         description="How thoroughly to search. Leave it, unless to compare with what was published",
         items=PRESETS,
         default="standard",
+        translation_context=CONTEXT,
     )
     seed: IntProperty(
         name="Seed",

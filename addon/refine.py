@@ -30,7 +30,7 @@ def refine(obj):
     mesh_io.deformable(obj)
     geometry = parts.geometry(obj)
     if geometry is None:
-        raise Refusal(f"The parts of “{obj.name}” are not known yet. Find them first")
+        raise Refusal("The parts of “{name}” are not known yet. Find them first", name=obj.name)
     mesh = obj.data
     before = len(mesh.polygons)
     reach = spanning.reach(mesh_io.basis_positions(mesh))

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import bpy
 from bpy.app.handlers import persistent
+from bpy.app.translations import pgettext_iface as iface_
 
 from . import mesh_io
 from .progress import Progress, progress_text
@@ -87,7 +88,8 @@ def start(search):
 def show_status():
     """Show how far the search is, in the status bar and the panel."""
     running.progress.follow(running.search)
-    _set_status(f"Boxmorph: {progress_text(running.search.progress)}   Esc: Cancel")
+    text = iface_("Boxmorph: {}   Esc: Cancel")
+    _set_status(text.format(progress_text(running.search.progress, iface_)))
 
 
 def end():

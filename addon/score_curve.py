@@ -72,7 +72,9 @@ def seen(obj, context, key, arrays):
         positions = mesh_io.mesh_positions(evaluated)
     if len(positions) != len(arrays.vertices):
         raise Refusal(
-            f"Under the modifiers of “{obj.name}”, “{key.name}” has other vertices than the object, so the "
-            "shapes between cannot be scored. Apply the modifiers first"
+            "Under the modifiers of “{name}”, “{outcome}” has other vertices than the object, so the "
+            "shapes between cannot be scored. Apply the modifiers first",
+            name=obj.name,
+            outcome=key.name,
         )
     return positions

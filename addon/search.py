@@ -90,28 +90,33 @@ class Search:
         #: How far what is seen under the modifiers is from what was scored, as a share of its size.
         self._away = 0.0
 
-    def notes(self):
-        """Return sentences that the user should read before the search: unknown words, left-out modifiers."""
+    def notes(self, say=str):
+        """Return sentences that the user should read before the search: unknown words, left-out modifiers; in
+        English, unless `say` translates, as in the methods below.
+        """
         notes = []
         if self.unknown:
-            words = ", ".join(self._unknown(word) for word in self.unknown[:6])
-            notes.append(f"The guide does not know {words} and goes by the other words")
+            words = ", ".join(self._unknown(word, say) for word in self.unknown[:6])
+            notes.append(say("The guide does not know {} and goes by the other words").format(words))
         if self.provider_note is not None:
             notes.append(engine.capitalised(self.provider_note))
         if self.arrays.left_out:
-            notes.append(
-                f"Searching on the rest shape, without the modifiers {', '.join(self.arrays.left_out)}"
-            )
+            rest = say("Searching on the rest shape, without the modifiers {}")
+            notes.append(rest.format(", ".join(self.arrays.left_out)))
         if self.locked is not None:
             count = int(self.locked.any(axis=1).sum())
-            notes.append(f"{count} of {len(self.locked)} parts {'is' if count == 1 else 'are'} locked")
+            locked = say("{} of {} parts is locked" if count == 1 else "{} of {} parts are locked")
+            notes.append(locked.format(count, len(self.locked)))
         if self.shared_by > 1:
-            notes.append(f"The mesh has {self.shared_by} users, and all of them get the shape key")
+            shared = say("The mesh has {} users, and all of them get the shape key")
+            notes.append(shared.format(self.shared_by))
         return notes
 
-    def _unknown(self, word):
+    def _unknown(self, word, say):
         """Return an unknown word in quotes, with the nearest one the guide knows."""
-        return f"“{word}”" + "".join(f" (nearest: “{known}”)" for known in self.nearest[word])
+        if not self.nearest[word]:
+            return say("“{}”").format(word)
+        return say("“{word}” (nearest: “{known}”)").format(word=word, known=self.nearest[word][0])
 
     def poll(self):
         """Refresh `progress`; return True once the search has ended in any way."""
@@ -201,27 +206,35 @@ class Search:
             return positions, float("nan")
         return correction.positions, correction.away
 
-    def departures(self, obj):
+    def departures(self, obj, say=str):
         """Return sentences on what is seen of the kept outcome but was not scored: modifiers that do not
         follow it.
         """
         if not self._away > modifiers.DEPARTS:
             return []
         names = modifiers.departing(obj)
-        under, them = ("modifier", "it") if len(names) == 1 else ("modifiers", "them")
-        far = np.isfinite(self._away)
-        how = f"up to {100 * self._away:.2g}% of its size" if far else "in the number of its vertices"
-        return [
-            f"Under its {under} {', '.join(names)} the outcome differs from what was scored, {how}. "
-            f"Apply {them} and search again where that matters"
-        ]
+        if np.isfinite(self._away):
+            how = say("up to {:.2g}% of its size").format(100 * self._away)
+        else:
+            how = say("in the number of its vertices")
+        if len(names) == 1:
+            words = say(
+                "Under its modifier {names} the outcome differs from what was scored, {how}. "
+                "Apply it and search again where that matters"
+            )
+        else:
+            words = say(
+                "Under its modifiers {names} the outcome differs from what was scored, {how}. "
+                "Apply them and search again where that matters"
+            )
+        return [words.format(names=", ".join(names), how=how)]
 
-    def shear(self):
+    def shear(self, say=str):
         """Return a sentence on the long faces that span parts and how far the kept outcome shears them, in a
         list; empty where there are none.
         """
-        clauses = spanning.clauses(self.report["coarse_faces"], self.report["worst_shear"])
-        return ["; ".join([*clauses, "Refine at Part Boundaries cuts them"])] if clauses else []
+        clauses = spanning.clauses(self.report["coarse_faces"], self.report["worst_shear"], say)
+        return ["; ".join([*clauses, say("Refine at Part Boundaries cuts them")])] if clauses else []
 
     def take_back(self, obj):
         """Restore `obj` as it was before the search. Returns whether there was anything to restore."""
@@ -241,15 +254,21 @@ class Search:
                 on_progress(self.progress)
             time.sleep(interval)
 
-    def summary(self):
+    def summary(self, say=str):
         """Return one line on the outcome: prompt, scores, seconds."""
         r, more = self.result, len(self.results) - 1
-        scores = f"score {r.score_before:.3f} → {r.score_after:.3f} in {r.seconds:.1f} s"
+        scores = say("score {:.3f} → {:.3f} in {:.1f} s").format(r.score_before, r.score_after, r.seconds)
         if self.report["variations_asked"] == 1:
-            return f"“{self.name}”: {scores}"
+            return say("“{name}”: {scores}").format(name=self.name, scores=scores)
         of = self.report["variations_asked"] - 1
-        missing = "" if more == of else f" of {of}; no others are as good and look different"
-        return f"“{self.name}”: {scores}, with {more} variation{'' if more == 1 else 's'}{missing}"
+        if more == of:
+            words = say("“{name}”: {scores}, with {found}")
+        else:
+            words = say(
+                "“{name}”: {scores}, with {found} of {total}; no others are as good and look different"
+            )
+        found = say("1 variation" if more == 1 else "{} variations").format(more)
+        return words.format(name=self.name, scores=scores, found=found, total=of)
 
     def _expected(self):
         b = self._boxmorph

@@ -2,6 +2,7 @@
 """The operators that search: deform to a prompt, cancel, take an object out of the queue."""
 
 import bpy
+from bpy.app.translations import pgettext_rpt as rpt_
 from bpy.props import BoolProperty, IntProperty
 
 from . import history, mesh_io, running
@@ -47,7 +48,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
                 if len(requests) == 1:
                     raise
                 remember(str(refusal))
-                self.report({"WARNING"}, str(refusal))
+                self.report({"WARNING"}, refusal.said(rpt_))
             else:
                 kept += 1
                 self._tell(search, request.find_object())
@@ -77,15 +78,15 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         if event.value == "PRESS" and (
             event.type == "ESC" or (event.type == "Z" and (event.ctrl or event.oskey))
         ):
-            return self._give_up("Cancelled; the object is as it was")
+            return self._give_up(rpt_("Cancelled; the object is as it was"))
         if event.type != "TIMER":
             if event.value == "PRESS" and event.type not in _NAVIGATION:
                 state.touched = True
             return {"PASS_THROUGH"}
         if state.undone:
-            return self._give_up("Cancelled by undo")
+            return self._give_up(rpt_("Cancelled by undo"))
         if state.stop:
-            return self._give_up("Cancelled; the object is as it was")
+            return self._give_up(rpt_("Cancelled; the object is as it was"))
         return self._tick(state.search, context)
 
     def cancel(self, _context):
@@ -100,7 +101,8 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         obj = search.find_object()
         if obj is None:
             name = search.object_name
-            return self._give_up(f"Cancelled: “{name}” was deleted or its mesh was changed")
+            gone = rpt_("Cancelled: “{}” was deleted or its mesh was changed")
+            return self._give_up(gone.format(name))
         if obj.mode != "OBJECT":
             return {"PASS_THROUGH"}
         if not ended:
@@ -135,7 +137,7 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
 
     def _search(self, context, request):
         search = Search(context, request.find_object(), **request.settings)
-        for note in search.notes():
+        for note in search.notes(rpt_):
             self.report({"WARNING"}, note)
         return search
 
@@ -144,11 +146,14 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         new = [request for request in requests if not running.is_asked_for(request.find_object())]
         if not new:
             raise Refusal(
-                f"“{requests[0].name}” is searched or waits already. Cancel the search with Esc to begin anew"
+                "“{name}” is searched or waits already. Cancel the search with Esc to begin anew",
+                name=requests[0].name,
             )
         running.running.waiting += new
-        names = ", ".join(f"“{request.name}”" for request in new)
-        self.report({"INFO"}, f"{names} {'waits' if len(new) == 1 else 'wait'} for the search that runs")
+        names = ", ".join(rpt_("“{}”").format(request.name) for request in new)
+        is_one = len(new) == 1
+        waits = rpt_("{} waits for the search that runs" if is_one else "{} wait for the search that runs")
+        self.report({"INFO"}, waits.format(names))
         return {"CANCELLED"}
 
     def _start_next(self, context):
@@ -158,11 +163,11 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
             request = waiting.pop(0)
             try:
                 if request.find_object() is None:
-                    raise Refusal(f"“{request.name}” was deleted before its search began")
+                    raise Refusal("“{name}” was deleted before its search began", name=request.name)
                 running.start(self._search(context, request))
             except Refusal as refusal:
                 remember(str(refusal))
-                self.report({"WARNING" if waiting else "ERROR"}, str(refusal))
+                self.report({"WARNING" if waiting else "ERROR"}, refusal.said(rpt_))
             else:
                 return True
         running.end()
@@ -185,11 +190,11 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         return {"CANCELLED"}
 
     def _tell(self, search, obj):
-        for note in search.departures(obj):
+        for note in search.departures(obj, rpt_):
             self.report({"WARNING"}, note)
-        for note in search.shear():
+        for note in search.shear(rpt_):
             self.report({"INFO"}, note)
-        self.report({"INFO"}, search.summary())
+        self.report({"INFO"}, search.summary(rpt_))
 
 
 class BOXMORPH_OT_cancel(bpy.types.Operator):

@@ -22,8 +22,12 @@ def even_alphas(alphas, scores, shares):
     rise = scores[-1] - scores[0]
     if not rise >= LEAST_RISE:
         raise Refusal(
-            f"The score does not rise from value {alphas[0]:.3g} ({scores[0]:.3f}) to {alphas[-1]:.3g} "
-            f"({scores[-1]:.3f}), so keys cannot be placed by it. Choose other values or another timing"
+            "The score does not rise from value {first:.3g} ({low:.3f}) to {last:.3g} ({high:.3f}), so "
+            "keys cannot be placed by it. Choose other values or another timing",
+            first=alphas[0],
+            low=scores[0],
+            last=alphas[-1],
+            high=scores[-1],
         )
     highest = np.maximum.accumulate(scores)
     levels = scores[0] + rise * np.asarray(shares, np.float64)[1:-1]

@@ -39,14 +39,17 @@ def worst_shear(rest, moved, triangles, graph, scales):
     return float(np.degrees(np.min(turns, axis=0).max()))
 
 
-def clauses(count, degrees=None):
-    """Return the count of coarse faces, and how far the worst is sheared if it is, as clauses."""
+def clauses(count, degrees=None, say=str):
+    """Return the count of coarse faces, and how far the worst is sheared if it is, as clauses; in English,
+    unless `say` translates.
+    """
     if count == 0:
         return []
     is_one = count == 1
-    out = ["1 long face spans parts" if is_one else f"{count} long faces span parts"]
+    out = [(say("1 long face spans parts") if is_one else say("{} long faces span parts")).format(count)]
     if degrees:
-        out.append(f"{'it' if is_one else 'the worst'} is sheared by {degrees:.0f}°")
+        words = say("it is sheared by {:.0f}°") if is_one else say("the worst is sheared by {:.0f}°")
+        out.append(words.format(degrees))
     return out
 
 

@@ -44,11 +44,12 @@ def take_apart(obj, context, name):
     key = mesh.shape_keys.key_blocks[name]
     report = shape_key.records(mesh)[name]
     if shape_key.pieces(mesh, name):
-        raise Refusal(f"“{name}” is taken apart already. Put it together first")
+        raise Refusal("“{name}” is taken apart already. Put it together first", name=name)
     if animation_curves.is_animated(key):
         raise Refusal(
-            f"“{name}” is animated, and would move along with its pieces. "
-            "Remove its keyframes or its driver first"
+            "“{name}” is animated, and would move along with its pieces. Remove its keyframes or its "
+            "driver first",
+            name=name,
         )
     arrays, graph = _searched_again(obj, context, name, report)
     own = arrays.vertices if arrays.points is None else arrays.points
@@ -65,7 +66,10 @@ def take_apart(obj, context, name):
         piece for piece in _pieces(graph, field, report) if np.abs(piece.change).max() >= _VISIBLE * size
     ]
     if not found and np.abs(change).max() < _VISIBLE * size:
-        raise Refusal(f"“{name}” changes nothing that could be seen, so there is nothing to take apart")
+        raise Refusal(
+            "“{name}” changes nothing that could be seen, so there is nothing to take apart",
+            name=name,
+        )
     return _make_keys(obj, name, found, np.linalg.inv(arrays.place).astype(np.float32), change)
 
 
@@ -75,7 +79,7 @@ def put_together(obj, name):
     """
     mesh = obj.data
     if not shape_key.is_apart(mesh, name):
-        raise Refusal(f"“{name}” is not taken apart")
+        raise Refusal("“{name}” is not taken apart", name=name)
     missing, value = shape_key.remove_pieces(obj, name)
     mesh.shape_keys.key_blocks[name].value = value
     mesh.update()
@@ -85,7 +89,10 @@ def put_together(obj, name):
 def _searched_again(obj, context, name, report):
     """Return the ObjectArrays of `obj` and the graph that the outcome was found with."""
     if not {"scales", "shifts", "splits", "gauge_scale", "gauge_shift"} <= report.keys():
-        raise Refusal(f"“{name}” has no record of its parts. Search again, then take that apart")
+        raise Refusal(
+            "“{name}” has no record of its parts. Search again, then take that apart",
+            name=name,
+        )
     under_modifiers = "modifiers_depart" in report
     arrays, mesh = engine.searched(obj, context, bare=not under_modifiers)
     if report["splits"] is not None:
@@ -95,7 +102,10 @@ def _searched_again(obj, context, name, report):
         except ValueError as error:
             raise Refusal(engine.sentence(error)) from error
     elif parts.geometry(obj) is None:
-        raise Refusal(f"The parts that “{name}” was found with have been forgotten. Find or give them again")
+        raise Refusal(
+            "The parts that “{name}” was found with have been forgotten. Find or give them again",
+            name=name,
+        )
     else:
         graph = parts.kept_graph(obj, mesh)
     if graph.parameter_rows != len(report["scales"]) or under_modifiers != (arrays.points is not None):
@@ -105,8 +115,10 @@ def _searched_again(obj, context, name, report):
 
 def _changed(obj, name):
     return Refusal(
-        f"“{obj.name}”, its parts or the shape key “{name}” have changed since the search, so that it cannot "
-        "be told which part does what. Undo the change, or search again"
+        "“{name}”, its parts or the shape key “{outcome}” have changed since the search, so that it "
+        "cannot be told which part does what. Undo the change, or search again",
+        name=obj.name,
+        outcome=name,
     )
 
 

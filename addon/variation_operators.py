@@ -5,7 +5,7 @@ import bpy
 from bpy.props import IntProperty
 
 from . import again, shape_key, variations
-from .errors import Refusal, tells_refusals
+from .errors import refused, tells_refusals
 from .outcome_operators import _OnOutcome
 
 
@@ -39,7 +39,7 @@ class BOXMORPH_OT_variations(_OnOutcome, bpy.types.Operator):
             done = bpy.ops.boxmorph.deform(self._how, **settings)
         except RuntimeError as error:
             # A refusal comes as the error report of the search.
-            raise Refusal(str(error).strip().removeprefix("Error: ")) from error
+            raise refused(error) from error
         return {"CANCELLED"} if done == {"CANCELLED"} else {"FINISHED"}
 
 
