@@ -187,7 +187,14 @@ mod tests {
         let graph =
             BoxDefGraph::build(&mesh, 1, Symmetry::Auto, Boundary::Smooth).expect("a cube has a part");
         let (graph, whole) = (Arc::new(graph.clone()), graph.shared_field());
-        Arc::new(Stage { splits: Some(1), graph, scored: whole.clone(), whole, points_field: None })
+        Arc::new(Stage {
+            splits: Some(1),
+            graph,
+            scored: whole.clone(),
+            whole,
+            triangles: Arc::default(),
+            points_field: None,
+        })
     }
 
     fn evaluation(score: f64) -> Evaluation {
