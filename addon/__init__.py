@@ -6,24 +6,19 @@ The work is done by the Rust module `boxmorph`, which is imported at first use a
 
 import bpy
 
-from . import (
-    bug_report,
-    command,
-    history,
+from . import translations
+from .command_line import command
+from .interface import bug_report, outcome_panel, panels, preferences_editor, setting_presets
+from .operators import (
     mix_operators,
     outcome_operators,
-    outcome_panel,
-    panels,
-    parts,
     parts_operators,
-    parts_view,
-    preferences_editor,
     properties,
     search_operators,
-    setting_presets,
-    translations,
     variation_operators,
 )
+from .part_boxes import parts, parts_view
+from .searching import history
 
 _classes = (
     preferences_editor.classes

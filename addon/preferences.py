@@ -3,6 +3,9 @@
 
 import bpy
 
+#: The name under which Blender knows the extension.
+PACKAGE = __package__
+
 RENDERERS = (
     ("auto", "Automatic", "The graphics card where there is a real one, else the processor"),
     ("cpu", "Processor", "Render the guide's views on the processor. Choose it where a driver makes trouble"),
@@ -16,7 +19,7 @@ RENDERERS = (
 
 def preferences():
     """Return this extension's preferences, or their defaults while the extension is not enabled."""
-    addon = bpy.context.preferences.addons.get(__package__)
+    addon = bpy.context.preferences.addons.get(PACKAGE)
     if addon is None or addon.preferences is None:
         return _Defaults
     return addon.preferences

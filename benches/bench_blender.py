@@ -21,7 +21,8 @@ def extension():
     package = types.ModuleType("addon")
     package.__path__ = [os.path.join(ROOT, "addon")]
     sys.modules["addon"] = package
-    from addon import mesh_io, shape_key
+    from addon.core import mesh_io
+    from addon.outcomes import shape_key
 
     return mesh_io, shape_key
 

@@ -27,7 +27,7 @@ def queue(screen, shots):
     screen.wait(lambda: screen.ask("keys('Chair')") == {}, 20, "undo of the second")
     first = screen.ask(f"keys('{OBJECT}')").get("a bar stool")
     report(first == 1.0, "one undo takes back the second outcome alone", first)
-    history = "__import__('bl_ext.user_default.boxmorph.history', fromlist=['recent']).recent()"
+    history = "__import__('bl_ext.user_default.boxmorph.searching.history', fromlist=['recent']).recent()"
     prompts = screen.ask(f"list({history})")
     report(prompts[:1] == ["a bar stool"], "the prompt is among the last prompts", prompts)
 

@@ -39,8 +39,10 @@ _install()
 
 
 def addon(name):
-    """Return a module of the installed extension."""
-    return importlib.import_module(f"{PACKAGE}.{name}")
+    """Return a module of the installed extension by its bare name, which no two share."""
+    root = pathlib.Path(importlib.import_module(PACKAGE).__file__).parent
+    source = next(root.rglob(f"{name}.py"), root / name)
+    return importlib.import_module(".".join((PACKAGE, *source.relative_to(root).with_suffix("").parts)))
 
 
 def preferences():

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """The extension as a package: it comes and goes without a trace, and its zip is built soundly."""
 
+import ast
 import importlib.util
 import pathlib
 import sys
@@ -57,10 +58,26 @@ def test_enabling_does_not_load_the_rust_module():
 
 
 def test_no_threads_and_no_path_edits():
-    for source in (ROOT / "addon").glob("*.py"):
+    for source in (ROOT / "addon").rglob("*.py"):
         text = source.read_text(encoding="utf-8")
         assert "threading" not in text and "sys.path" not in text, source.name
         assert text.startswith("# SPDX-License-Identifier: GPL-3.0-or-later\n"), source.name
+
+
+#: The extension's rooms; each knows only those before it, and the modules beside them.
+ROOMS = ["core", "part_boxes", "outcomes", "searching", "operators", "interface", "command_line"]
+
+
+def test_dependencies_point_one_way():
+    for source in (ROOT / "addon").glob("*/*.py"):
+        room = source.parent.name
+        if room not in ROOMS:
+            continue
+        for node in ast.walk(ast.parse(source.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and node.level == 2 and node.module:
+                other = node.module.partition(".")[0]
+                if other in ROOMS:
+                    assert ROOMS.index(other) < ROOMS.index(room), f"{source.name} of {room} knows {other}"
 
 
 WHEEL = "boxmorph-{}-cp311-abi3-manylinux_2_28_x86_64.whl"

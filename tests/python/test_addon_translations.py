@@ -28,7 +28,7 @@ def sources():
     """The extension's source files, parsed; without the languages themselves, and without the command line,
     which is English.
     """
-    paths = [path for path in (ROOT / "addon").glob("*.py") if not path.name.startswith("command")]
+    paths = [path for path in (ROOT / "addon").rglob("*.py") if not path.name.startswith("command")]
     return {path.name: ast.parse(path.read_text(encoding="utf-8")) for path in paths}
 
 
