@@ -22,7 +22,7 @@ def extension():
     package.__path__ = [os.path.join(ROOT, "addon")]
     sys.modules["addon"] = package
     from addon.core import mesh_io
-    from addon.outcomes import shape_key
+    from addon.outcomes import trial
 
     return mesh_io, shape_key
 
@@ -61,7 +61,7 @@ def main():
 
     def without_keys():
         obj.shape_key_clear()
-        return shape_key.Trial(obj, "a bar stool")
+        return trial.Trial(obj, "a bar stool")
 
     def with_key():
         trial = without_keys()

@@ -12,7 +12,7 @@ def key():
     """A shape key as an outcome would be, with limits −1 to 2."""
     blender.empty_scene()
     obj = blender.add("Square", [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2, 3)])
-    trial = blender.addon("shape_key").Trial(obj, 'it\'s a "stool"')
+    trial = blender.addon("trial").Trial(obj, 'it\'s a "stool"')
     name = trial.keep(obj, [(0, 0, 0), (1, 0, 1), (1, 1, 1), (0, 1, 0)], -1.0, 2.0, {"prompt": "a stool"})
     return obj.data.shape_keys.key_blocks[name]
 
