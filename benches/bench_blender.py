@@ -22,9 +22,9 @@ def extension():
     package.__path__ = [os.path.join(ROOT, "addon")]
     sys.modules["addon"] = package
     from addon.core import mesh_io
-    from addon.outcomes import trial
+    from addon.outcomes.trial import Trial
 
-    return mesh_io, shape_key
+    return mesh_io, Trial
 
 
 def grid(vertices_wanted):
@@ -52,7 +52,7 @@ def main():
     parser.add_argument("--vertices", type=int, default=1_000_000)
     parser.add_argument("--rounds", type=int, default=3)
     arguments = parser.parse_args()
-    mesh_io, shape_key = extension()
+    mesh_io, trial_of = extension()
     obj = grid(arguments.vertices)
     mesh = obj.data
     rest = mesh_io.mesh_positions(mesh)
@@ -61,7 +61,7 @@ def main():
 
     def without_keys():
         obj.shape_key_clear()
-        return trial.Trial(obj, "a bar stool")
+        return trial_of(obj, "a bar stool")
 
     def with_key():
         trial = without_keys()
