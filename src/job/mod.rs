@@ -5,6 +5,7 @@ mod background;
 mod error;
 mod finalist;
 mod outcome;
+mod pool;
 mod progress;
 mod proxy;
 mod run;

@@ -7,10 +7,10 @@ use glam::Vec3;
 
 use super::finalist::{Finalist, improves};
 use super::outcome::{Best, Outcome, Stage};
+use super::pool::Pool;
 use super::progress::Harness;
 use super::proxy::Proxy;
 use super::soundness::Soundness;
-use super::variations::Pool;
 use super::{JobError, JobSpec};
 use crate::boxdef::{BoxDefGraph, Ground};
 use crate::render::{self, View};
