@@ -34,6 +34,7 @@ class Trial:
         self.others = {}
         self.name = None
         self._shown = False
+        self._made_basis = False
         self._wanted = key_name(prompt)
         if keys is None:
             return
@@ -68,6 +69,9 @@ class Trial:
         key = self.key(obj)
         set_limits(key, slider_min, slider_max)
         key.value = 1.0
+        # Not before: Blender 4.3 does not free a property of keys that undo throws away with their object.
+        if self._made_basis:
+            obj.data.shape_keys[OWN_BASIS] = True
         keep_record(obj.data, self.name, report)
         return self.name
 
@@ -109,7 +113,7 @@ class Trial:
         if obj.data.shape_keys is None:
             # Blender 5.0 gives new keys the value 1.
             obj.shape_key_add(name="Basis", from_mix=False).value = 0.0
-            obj.data.shape_keys[OWN_BASIS] = True
+            self._made_basis = True
         blocks = obj.data.shape_keys.key_blocks
         if self.previous is not None and self._wanted in blocks:
             key = blocks[self._wanted]

@@ -9,7 +9,7 @@ texts = bpy.app.translations
 view = bpy.context.preferences.view
 view.language = next(locale for locale in texts.locales if locale.startswith('de'))
 view.use_translate_interface = True
-progress = importlib.import_module(NAME + '.progress')
+progress = importlib.import_module(NAME + '.searching.progress')
 known = dict(phase='Searching with 5 part boxes', generation=0, best_score=None, seconds_left=9.0)
 said = [texts.pgettext_iface('Deform to Prompt', 'Operator'), texts.pgettext_iface('Search', 'Boxmorph')]
 said += progress.progress_parts(known, texts.pgettext_iface)
