@@ -102,8 +102,10 @@ class BOXMORPH_OT_deform(SearchProperties, bpy.types.Operator):
         obj = search.find_object()
         if obj is None:
             name = search.object_name
+            search.cancel()
             gone = rpt_("Cancelled: “{}” was deleted or its mesh was changed")
-            return self._give_up(gone.format(name))
+            self.report({"WARNING"}, gone.format(name))
+            return {"PASS_THROUGH"} if self._start_next(context) else {"CANCELLED"}
         if obj.mode != "OBJECT":
             return {"PASS_THROUGH"}
         if not ended:

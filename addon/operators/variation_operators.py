@@ -11,61 +11,63 @@ from ..outcomes import again, shape_key, variations
 from .outcome_operators import OnOutcome
 
 
-class BOXMORPH_OT_search_again(OnOutcome, bpy.types.Operator):
-    """Search again with the outcome's own prompt and settings and the next seed. What is found takes its
-    place
+class _SearchesAgain(OnOutcome):
+    """Shared by operators that search again: beside the user's work where they were clicked. The search makes
+    its own undo step when it ends.
     """
 
-    bl_idname = "boxmorph.search_again"
-    bl_label = "Again with Another Seed"
-    # The search makes its own undo step when it ends.
-    bl_options = set()
-
-    @tells_refusals
-    def execute(self, context):
-        obj, key = self.outcome(context)
-        settings = again.settings_of(shape_key.records(obj.data)[key.name])
-        settings["seed"] = again.next_seed(settings["seed"])
-        try:
-            done = bpy.ops.boxmorph.deform("INVOKE_DEFAULT", **settings)
-        except RuntimeError as error:
-            raise refused(error) from error
-        # A search that goes on beside the user's work is an operator of its own by now.
-        return {"FINISHED"} if "RUNNING_MODAL" in done else done
-
-
-class BOXMORPH_OT_variations(OnOutcome, bpy.types.Operator):
-    """Search again for the prompt of this outcome, and add others that are nearly as good and look different,
-    each as a shape key. They take the place of its earlier variations
-    """
-
-    bl_idname = "boxmorph.variations"
-    bl_label = "Variations"
-    # The search pushes its own undo step.
     bl_options = {"INTERNAL"}
 
-    count: IntProperty(
-        name="Count", description="Outcomes in all, with the one there is", min=2, max=8, default=4
-    )
-
-    #: How the search is called: beside the user's work where this was clicked.
     _how = "EXEC_DEFAULT"
 
     def invoke(self, context, _event):
         self._how = "INVOKE_DEFAULT"
         return self.execute(context)
 
-    @tells_refusals
-    def execute(self, context):
+    def asked(self, context):
+        """Return what the outcome that is meant was searched with."""
         obj, key = self.outcome(context)
-        report = shape_key.records(obj.data)[key.name]
+        return again.settings_of(shape_key.records(obj.data)[key.name])
+
+    def search(self, **settings):
+        """Search, and return what the operator is to return. Raises Refusal."""
         try:
-            settings = again.settings_of(report) | {"variations": self.count}
             done = bpy.ops.boxmorph.deform(self._how, **settings)
         except RuntimeError as error:
             # A refusal comes as the error report of the search.
             raise refused(error) from error
         return {"CANCELLED"} if done == {"CANCELLED"} else {"FINISHED"}
+
+
+class BOXMORPH_OT_search_again(_SearchesAgain, bpy.types.Operator):
+    """Search again with the outcome's own prompt and settings and the next seed. What is found takes its
+    place
+    """
+
+    bl_idname = "boxmorph.search_again"
+    bl_label = "Again with Another Seed"
+
+    @tells_refusals
+    def execute(self, context):
+        asked = self.asked(context)
+        return self.search(**asked | {"seed": again.next_seed(asked["seed"])})
+
+
+class BOXMORPH_OT_variations(_SearchesAgain, bpy.types.Operator):
+    """Search again for the prompt of this outcome, and add others that are nearly as good and look different,
+    each as a shape key. They take the place of its earlier variations
+    """
+
+    bl_idname = "boxmorph.variations"
+    bl_label = "Variations"
+
+    count: IntProperty(
+        name="Count", description="Outcomes in all, with the one there is", min=2, max=8, default=4
+    )
+
+    @tells_refusals
+    def execute(self, context):
+        return self.search(**self.asked(context) | {"variations": self.count})
 
 
 class BOXMORPH_OT_show_outcome(OnOutcome, bpy.types.Operator):

@@ -2,6 +2,7 @@
 """Several objects with one call, prompts that are remembered, and the pictures of a running search."""
 
 import json
+import types
 
 import addon_blender as blender
 import numpy as np
@@ -114,3 +115,24 @@ def test_a_preview_that_was_hidden_is_shown_again():
     assert blender.key_state(obj) == shown
     search.take_back(obj)
     assert blender.key_state(obj) == before
+
+
+def test_an_object_deleted_during_its_search_does_not_keep_the_others_from_theirs():
+    running, operators = blender.addon("running"), blender.addon("search_operators")
+    obj = blender.chair()
+    search = blender.addon("search").Search(bpy.context, obj, "a bar stool", "paper")
+    bpy.data.objects.remove(obj)
+    started, said = [], []
+    operator = types.SimpleNamespace(
+        report=lambda kind, text: said.append((kind, text)),
+        _start_next=lambda context: not started.append(context),
+    )
+    try:
+        running.start(search)
+        done = operators.BOXMORPH_OT_deform._tick(operator, search, bpy.context)
+    finally:
+        search.cancel(wait=True)
+        running.end()
+    assert done == {"PASS_THROUGH"} and len(started) == 1
+    assert "was deleted" in said[0][1]
+    assert search.poll(), "the search of the deleted object has ended"
