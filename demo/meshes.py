@@ -75,7 +75,7 @@ def _strip(extension, kind, prompt):
     report = json.loads(obj.data.shape_keys["boxmorph"])[prompt]
     faces = [tuple(face.vertices) for face in obj.data.polygons]
     keys = obj.data.shape_keys.key_blocks
-    shapes = [importlib.import_module(f"{extension}.mesh_io").key_positions(key) for key in keys]
+    shapes = [importlib.import_module(f"{extension}.core.mesh_io").key_positions(key) for key in keys]
     shares = _shares(shapes[0], faces, owners, boxes)
     before = _picture(shapes[0], faces, shares, colors, boxes)
     after = _picture(shapes[1], faces, shares, colors)
@@ -87,7 +87,9 @@ def _parts(extension, obj):
     """The part of each vertex, (n,), the corners of the boxes with their parts, and the parts' colours."""
     import bpy
 
-    engine, kept = (importlib.import_module(f"{extension}.{name}") for name in ("engine", "parts"))
+    engine, kept = (
+        importlib.import_module(f"{extension}.{name}") for name in ("core.engine", "part_boxes.parts")
+    )
     arrays, mesh = engine.searched(obj, bpy.context)
     graph = kept.kept_graph(obj, mesh)
     signs = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])

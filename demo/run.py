@@ -99,7 +99,7 @@ def _deform(extension, name, source, prompt):
     """Run the command on the saved object, leave the results in a folder. Returns a row of the table."""
     import bpy
 
-    command = importlib.import_module(f"{extension}.command")
+    command = importlib.import_module(f"{extension}.command_line.command")
     folder = _folder(name, prompt)
     folder.mkdir()
     report_path = folder / "report.json"
@@ -131,7 +131,7 @@ def _pictures(extension, folder, report):
     import bpy
     import sheets
 
-    mesh_io = importlib.import_module(f"{extension}.mesh_io")
+    mesh_io = importlib.import_module(f"{extension}.core.mesh_io")
     obj = bpy.data.objects[report["object"]]
     keys = obj.data.shape_keys
     keys.animation_data_clear()  # in memory only: the keyed file is saved

@@ -4,6 +4,7 @@
 import ast
 import importlib.util
 import pathlib
+import re
 import sys
 import zipfile
 
@@ -62,6 +63,19 @@ def test_no_threads_and_no_path_edits():
         text = source.read_text(encoding="utf-8")
         assert "threading" not in text and "sys.path" not in text, source.name
         assert text.startswith("# SPDX-License-Identifier: GPL-3.0-or-later\n"), source.name
+
+
+def test_the_demo_finds_what_it_takes_of_the_extension():
+    # `make demo` broke when modules moved, and no test ran it.
+    taken = set()
+    for source in (ROOT / "demo").glob("*.py"):
+        text = source.read_text(encoding="utf-8")
+        taken |= set(re.findall(r'\{extension\}\.([a-z_.]+)"', text))
+        for names in re.findall(r"\{extension\}\.\{name\}\"\) for name in \(([^)]*)\)", text):
+            taken |= set(re.findall(r'"([a-z_.]+)"', names))
+    assert len(taken) >= 4, taken
+    for name in taken:
+        assert (ROOT / "addon" / f"{name.replace('.', '/')}.py").is_file(), name
 
 
 #: The extension's rooms; each knows only those before it, and the modules beside them.
