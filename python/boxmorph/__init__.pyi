@@ -16,6 +16,7 @@ Boundary = Literal["smooth", "paper"]
 Symmetry = Literal["auto", "none", "x", "y", "z", "xy"]
 Renderer = Literal["auto", "cpu", "gpu"]
 Provider = Literal["auto", "cpu", "cuda", "directml", "coreml", "migraphx", "openvino"]
+Precision = Literal["auto", "fp32", "fp16", "int8", "uint8", "q4", "q4f16", "bnb4"]
 
 class GuideError(Exception): ...
 class RenderError(Exception): ...
@@ -123,13 +124,17 @@ class Guide:
 
     @staticmethod
     def open(
-        path: str | PathLike[str] | None = None, threads: int | None = None, provider: Provider = "auto"
+        path: str | PathLike[str] | None = None,
+        threads: int | None = None,
+        provider: Provider = "auto",
+        precision: Precision = "auto",
     ) -> Guide:
         """Opens a guide's folder; None: the embedded guide. Raises GuideError.
 
         `provider` encodes the images. "auto" is the processor, so that results are the same everywhere; but
         a large guide goes to the graphics card where an ONNX Runtime library of your own has one. A provider
-        that cannot be used is replaced by the processor, and `provider_note` says why.
+        that cannot be used is replaced by the processor, and `provider_note` says why. `precision` is that of
+        the image network; "auto" is the most exact that the folder has.
         """
 
     def text_embedding(self, text: str) -> NDArray[np.float32]: ...  # (d,)
@@ -143,6 +148,9 @@ class Guide:
     def nearest_words(self, word: str, count: int = 3) -> list[str]:
         """Known words that are spelled like `word`, the most alike first."""
 
+    def token_ids(self, text: str) -> list[int]:
+        """What the text network reads, padding included."""
+
     @property
     def image_size(self) -> int: ...
     @property
@@ -153,6 +161,8 @@ class Guide:
     def sha256(self) -> str: ...
     @property
     def provider(self) -> str: ...
+    @property
+    def precision(self) -> str: ...
     @property
     def provider_note(self) -> str | None: ...
 

@@ -4,22 +4,24 @@
 use std::sync::{Mutex, MutexGuard};
 
 use ort::environment::Environment;
-use ort::session::Session;
 use ort::session::builder::GraphOptimizationLevel;
-use ort::value::{Tensor, TensorRef, ValueType};
+use ort::session::{Session, SessionOutputs};
+use ort::value::{Tensor, TensorRef};
 use rayon::prelude::*;
 
 use super::GuideError;
 use super::Provider;
+use super::network::{Network, TextInput, text_input};
 use super::preprocess::Preprocess;
 use super::text::Tokens;
 
 /// A network, opened once or once a thread (a session runs one batch at a time).
 pub struct Encoder {
-    file: &'static str,
+    file: String,
     sessions: Vec<Mutex<Worker>>,
     inputs: Vec<String>,
     output: String,
+    fixed_batch: Option<usize>,
 }
 
 struct Worker {
@@ -30,15 +32,15 @@ struct Worker {
 impl Encoder {
     pub fn open(
         environment: &Environment,
-        file: &'static str,
-        model: &[u8],
+        network: &Network,
         provider: Provider,
         sessions: usize,
         intra_threads: usize,
     ) -> Result<Self, GuideError> {
-        let bad = |reason: String| GuideError::BadModel { file, reason };
+        let bad = |reason: String| GuideError::BadModel { file: network.file.clone(), reason };
+        let failed = |error: &ort::Error| bad(GuideError::reason(error));
         let open = || -> Result<Session, GuideError> {
-            let mut builder = Session::builder(environment).map_err(|e| bad(e.to_string()))?;
+            let mut builder = Session::builder(environment).map_err(|e| failed(&e))?;
             let ways = provider.ways(intra_threads);
             for (number, way) in ways.iter().enumerate() {
                 match builder.with_execution_providers(std::slice::from_ref(way)) {
@@ -54,6 +56,11 @@ impl Encoder {
                 // It takes no other.
                 builder = builder.with_memory_pattern(false).map_err(|e| bad(e.to_string()))?;
             }
+            for (name, data) in &network.external {
+                builder = builder
+                    .with_external_initializer_file_in_memory(name, data.clone())
+                    .map_err(|e| bad(e.to_string()))?;
+            }
             builder
                 .with_optimization_level(GraphOptimizationLevel::Level3)
                 .map_err(|e| bad(e.to_string()))?
@@ -61,19 +68,23 @@ impl Encoder {
                 .map_err(|e| bad(e.to_string()))?
                 .with_inter_threads(1)
                 .map_err(|e| bad(e.to_string()))?
-                .commit_from_memory(model)
-                .map_err(|e| bad(e.to_string()))
+                .commit_from_memory(&network.model)
+                .map_err(|e| failed(&e))
         };
         let first = open()?;
-        let inputs = first.inputs().iter().map(|input| input.name().to_owned()).collect::<Vec<_>>();
-        let output = embedding_output(&first).ok_or_else(|| bad("it has no embedding output".into()))?;
         let mut all = vec![first];
         for _ in 1..sessions {
             all.push(open()?);
         }
         let sessions =
             all.into_iter().map(|session| Mutex::new(Worker { session, pixels: Vec::new() })).collect();
-        Ok(Self { file, sessions, inputs, output })
+        Ok(Self {
+            file: network.file.clone(),
+            sessions,
+            inputs: network.inputs.iter().map(|(name, _)| name.clone()).collect(),
+            output: network.output.clone(),
+            fixed_batch: network.fixed_batch(),
+        })
     }
 
     /// The embedding of one prompt.
@@ -82,14 +93,18 @@ impl Encoder {
         let shape = [1, tokens.ids.len()];
         let mut feed = Vec::new();
         for name in &self.inputs {
-            let values = if name.contains("mask") { &tokens.mask } else { &tokens.ids };
-            let tensor = Tensor::from_array((shape, values.clone())).map_err(run)?;
+            let values = match text_input(name) {
+                TextInput::Ids => tokens.ids.clone(),
+                TextInput::Mask => tokens.mask.clone(),
+                TextInput::Positions => (0..tokens.ids.len() as i64).collect(),
+                TextInput::Types => vec![0; tokens.ids.len()],
+            };
+            let tensor = Tensor::from_array((shape, values)).map_err(run)?;
             feed.push((name.clone(), tensor.into_dyn()));
         }
         let mut worker = self.lock(0)?;
         let outputs = worker.session.run(feed).map_err(run)?;
-        let (_, data) = outputs[self.output.as_str()].try_extract_tensor::<f32>().map_err(run)?;
-        Ok(data.to_vec())
+        self.rows(&outputs, 1)
     }
 
     /// The embeddings of RGB images, in batches of `batch` shared out over the sessions.
@@ -100,6 +115,7 @@ impl Encoder {
         batch: usize,
     ) -> Result<Vec<f32>, GuideError> {
         let image_bytes = (preprocess.size as usize).pow(2) * 3;
+        let batch = self.fixed_batch.unwrap_or(batch);
         let batches: Vec<&[u8]> = images.chunks(image_bytes * batch).collect();
         let encoded: Result<Vec<Vec<f32>>, GuideError> = batches
             .par_iter()
@@ -121,7 +137,17 @@ impl Encoder {
         preprocess.apply(images, pixels);
         let tensor = TensorRef::from_array_view(([count, 3, side, side], pixels.as_slice())).map_err(run)?;
         let outputs = session.run(ort::inputs![self.inputs[0].as_str() => tensor]).map_err(run)?;
-        let (_, data) = outputs[self.output.as_str()].try_extract_tensor::<f32>().map_err(run)?;
+        self.rows(&outputs, count)
+    }
+
+    /// The embeddings among `outputs`, if they are one a row.
+    fn rows(&self, outputs: &SessionOutputs, count: usize) -> Result<Vec<f32>, GuideError> {
+        let (shape, data) =
+            outputs[self.output.as_str()].try_extract_tensor::<f32>().map_err(|e| self.run_error(&e))?;
+        if shape.len() != 2 || shape[0] != count as i64 {
+            let reason = format!("its output has the shape {shape:?}, not one embedding a row");
+            return Err(GuideError::BadModel { file: self.file.clone(), reason });
+        }
         Ok(data.to_vec())
     }
 
@@ -131,7 +157,7 @@ impl Encoder {
         (0..count).find_map(|k| self.sessions[(index + k) % count].try_lock().ok()).map_or_else(
             || {
                 self.sessions[index % count].lock().map_err(|_| GuideError::Run {
-                    file: self.file,
+                    file: self.file.clone(),
                     reason: "an earlier run broke off".into(),
                 })
             },
@@ -140,17 +166,6 @@ impl Encoder {
     }
 
     fn run_error(&self, error: &ort::Error) -> GuideError {
-        GuideError::Run { file: self.file, reason: error.to_string() }
+        GuideError::Run { file: self.file.clone(), reason: GuideError::reason(error) }
     }
-}
-
-/// The output that holds one embedding a row: by name, or the first of two dimensions.
-fn embedding_output(session: &Session) -> Option<String> {
-    let rank = |dtype: &ValueType| match dtype {
-        ValueType::Tensor { shape, .. } => shape.len(),
-        _ => 0,
-    };
-    let outputs = session.outputs();
-    let named = outputs.iter().find(|o| o.name().ends_with("_embeds") || o.name() == "pooler_output");
-    named.or_else(|| outputs.iter().find(|o| rank(o.dtype()) == 2)).map(|o| o.name().to_owned())
 }

@@ -3,6 +3,9 @@
 
 use thiserror::Error;
 
+/// Longest message of ONNX Runtime shown, in characters.
+const MAX_REASON: usize = 300;
+
 /// Why a guide cannot be opened or used.
 #[derive(Debug, Error)]
 pub enum GuideError {
@@ -15,7 +18,82 @@ pub enum GuideError {
         /// The guide's folder.
         folder: String,
         /// The missing file's name.
-        file: &'static str,
+        file: String,
+    },
+    /// No precision has this name.
+    #[error("unknown precision \"{name}\": choose {known}")]
+    UnknownPrecision {
+        /// The name given.
+        name: String,
+        /// Those there are.
+        known: String,
+    },
+    /// The networks are there in other precisions.
+    #[error(
+        "the guide folder \"{folder}\" has no networks in the precision \"{precision}\"; \
+         choose another precision, or copy its files there"
+    )]
+    NoPrecision {
+        /// The guide's folder.
+        folder: String,
+        /// The precision asked for.
+        precision: String,
+    },
+    /// Something else is where a file should be.
+    #[error("\"{path}\" is {what}, not a file; copy the model's own file there")]
+    NotAFile {
+        /// The place.
+        path: String,
+        /// What is there.
+        what: &'static str,
+    },
+    /// A file is larger than any guide's.
+    #[error("the guide's file \"{path}\" is larger than {most} MB; choose a smaller model")]
+    TooLarge {
+        /// The file.
+        path: String,
+        /// The largest size, in MiB.
+        most: u64,
+    },
+    /// A file with a network's weights is missing or cut short.
+    #[error(
+        "the weights of the guide's {file} lie in \"{data}\", which {reason}; copy that file again, beside it"
+    )]
+    Weights {
+        /// The network's file.
+        file: String,
+        /// The file with its weights.
+        data: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// The image network reads images of one size, and its settings name another.
+    #[error(
+        "the guide's {file} reads images of {width} × {height} pixels and its preprocessor_config.json makes \
+         {size} × {size}; take both from the same model"
+    )]
+    ImageSize {
+        /// The network's file.
+        file: String,
+        /// Width of its images.
+        width: usize,
+        /// Height of its images.
+        height: usize,
+        /// Side of the images that are made.
+        size: u32,
+    },
+    /// The tokenizer is not the text network's.
+    #[error(
+        "the guide's tokenizer.json has {tokens} tokens and its {file} knows {known}; \
+         take both from the same model"
+    )]
+    Vocabulary {
+        /// The text network's file.
+        file: String,
+        /// Tokens of the tokenizer.
+        tokens: usize,
+        /// Rows of the network's table.
+        known: usize,
     },
     /// A file cannot be read.
     #[error("the guide's file \"{path}\" cannot be read ({reason}); check its permissions")]
@@ -39,7 +117,7 @@ pub enum GuideError {
     )]
     BadModel {
         /// The file's name.
-        file: &'static str,
+        file: String,
         /// What ONNX Runtime says.
         reason: String,
     },
@@ -61,7 +139,7 @@ pub enum GuideError {
     #[error("the guide's {file} failed while running ({reason})")]
     Run {
         /// The file's name.
-        file: &'static str,
+        file: String,
         /// What ONNX Runtime says.
         reason: String,
     },
@@ -119,6 +197,15 @@ pub enum GuideError {
 }
 
 impl GuideError {
+    /// What ONNX Runtime says, in one line of moderate length.
+    pub(super) fn reason(error: &ort::Error) -> String {
+        let line = error.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
+        match line.char_indices().nth(MAX_REASON) {
+            Some((end, _)) => format!("{} …", &line[..end]),
+            None => line,
+        }
+    }
+
     /// True where the caller's input is wrong rather than the guide.
     #[must_use]
     pub fn is_input(&self) -> bool {
@@ -127,6 +214,7 @@ impl GuideError {
             Self::ImageBytes { .. }
                 | Self::EmptyPrompt
                 | Self::UnknownProvider { .. }
+                | Self::UnknownPrecision { .. }
                 | Self::LongPrompt { .. }
                 | Self::UnknownPrompt { .. }
         )

@@ -1,98 +1,276 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! A guide's files, from a folder or from the library itself.
 
-use std::path::Path;
+use std::io::{ErrorKind, Read};
+use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
 
+use prost::bytes::Bytes;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 use super::GuideError;
+use super::layout::{Layout, Networks};
+use super::network::{Network, Role, decode, external_files};
 
-/// The bytes of a guide and its parsed configuration.
+/// Largest ONNX file: protobuf itself reads no more than 2 GiB. Weights beyond are kept in other files.
+const MAX_NETWORK_BYTES: u64 = 2 << 30;
+
+/// Most bytes of weights in other files.
+const MAX_WEIGHT_BYTES: u64 = 16 << 30;
+
+/// Largest other file; a tokenizer of 256,000 words has 34 MB.
+const MAX_JSON_BYTES: u64 = 256 << 20;
+
+/// Files that say more of the tokenizer and are not in every folder.
+const TOKENIZER_CONFIG: &str = "tokenizer_config.json";
+
+/// A guide's networks, the bytes of its other files and its parsed configuration.
 pub struct GuideFiles {
     pub name: String,
-    pub vision: Vec<u8>,
-    pub text: Vec<u8>,
+    pub vision: Network,
+    pub text: Network,
     pub tokenizer: Vec<u8>,
-    pub preprocessor: Vec<u8>,
-    config: Vec<u8>,
-    config_json: Value,
+    pub preprocessor: Value,
+    pub precision: &'static str,
+    tokenizer_config: Value,
+    config: Value,
+    hash: String,
 }
 
 impl GuideFiles {
-    /// Reads a folder; the networks may lie in it or under `onnx/`.
-    pub fn read(folder: &Path) -> Result<Self, GuideError> {
+    /// Reads a folder; see [`Layout`] for where the networks may lie.
+    pub fn read(folder: &Path, precision: Option<&str>) -> Result<Self, GuideError> {
         if !folder.is_dir() {
             return Err(GuideError::NoFolder(folder.display().to_string()));
         }
         let name = folder.file_name().map_or_else(|| "guide".into(), |n| n.to_string_lossy().into_owned());
-        Self::from_bytes(
-            name,
-            read(folder, &["vision_model.onnx", "onnx/vision_model.onnx"])?,
-            read(folder, &["text_model.onnx", "onnx/text_model.onnx"])?,
-            read(folder, &["tokenizer.json"])?,
-            read(folder, &["preprocessor_config.json"])?,
-            read(folder, &["config.json"])?,
-        )
+        let layout = Layout::find(folder, precision)?;
+        let tokenizer = required(folder, "tokenizer.json")?;
+        // Newer exports keep the image processor's settings beside the others'.
+        let preprocessor = match optional(folder, "preprocessor_config.json")? {
+            Some(own) => own,
+            None => match optional(folder, "processor_config.json")? {
+                Some(shared) => shared,
+                None => required(folder, "preprocessor_config.json")?,
+            },
+        };
+        let config = required(folder, "config.json")?;
+        let extra = optional(folder, TOKENIZER_CONFIG)?;
+        let (sources, vision, text) = match &layout.networks {
+            Networks::Separate { vision, text } => {
+                let (vision, text) = (Source::read(vision)?, Source::read(text)?);
+                let networks = (vision.network(Role::Vision)?, text.network(Role::Text)?);
+                (vec![vision, text], networks.0, networks.1)
+            }
+            Networks::Combined(path) => {
+                let both = Source::read(path)?;
+                let networks = (both.network(Role::Vision)?, both.network(Role::Text)?);
+                (vec![both], networks.0, networks.1)
+            }
+        };
+        let files = OtherFiles { tokenizer, preprocessor, config, tokenizer_config: extra };
+        Self::new(name, &sources, (vision, text), files, layout.precision)
     }
 
     /// The guide compiled into the library.
     pub fn embedded() -> Result<Self, GuideError> {
-        Self::from_bytes(
-            "mini".into(),
-            include_bytes!("../../guides/mini/vision_model.onnx").to_vec(),
-            include_bytes!("../../guides/mini/text_model.onnx").to_vec(),
-            include_bytes!("../../guides/mini/tokenizer.json").to_vec(),
-            include_bytes!("../../guides/mini/preprocessor_config.json").to_vec(),
-            include_bytes!("../../guides/mini/config.json").to_vec(),
-        )
+        let source = |file: &str, bytes: &'static [u8]| Source {
+            file: file.into(),
+            model: Bytes::from_static(bytes),
+            external: Vec::new(),
+        };
+        let vision = source("vision_model.onnx", include_bytes!("../../guides/mini/vision_model.onnx"));
+        let text = source("text_model.onnx", include_bytes!("../../guides/mini/text_model.onnx"));
+        let networks = (vision.network(Role::Vision)?, text.network(Role::Text)?);
+        let files = OtherFiles {
+            tokenizer: include_bytes!("../../guides/mini/tokenizer.json").to_vec(),
+            preprocessor: include_bytes!("../../guides/mini/preprocessor_config.json").to_vec(),
+            config: include_bytes!("../../guides/mini/config.json").to_vec(),
+            tokenizer_config: None,
+        };
+        Self::new("mini".into(), &[vision, text], networks, files, "fp32")
     }
 
-    fn from_bytes(
+    fn new(
         name: String,
-        vision: Vec<u8>,
-        text: Vec<u8>,
-        tokenizer: Vec<u8>,
-        preprocessor: Vec<u8>,
-        config: Vec<u8>,
+        sources: &[Source],
+        (vision, text): (Network, Network),
+        files: OtherFiles,
+        precision: &'static str,
     ) -> Result<Self, GuideError> {
-        let config_json = serde_json::from_slice(&config)
-            .map_err(|e| GuideError::BadJson { file: "config.json", reason: e.to_string() })?;
-        Ok(Self { name, vision, text, tokenizer, preprocessor, config, config_json })
+        let hash = hash(sources, &files);
+        let preprocessor = json("preprocessor_config.json", &files.preprocessor)?;
+        Ok(Self {
+            name,
+            vision,
+            text,
+            preprocessor: preprocessor.get("image_processor").cloned().unwrap_or(preprocessor),
+            precision,
+            tokenizer_config: match &files.tokenizer_config {
+                Some(bytes) => json(TOKENIZER_CONFIG, bytes)?,
+                None => Value::Null,
+            },
+            config: json("config.json", &files.config)?,
+            tokenizer: files.tokenizer,
+            hash,
+        })
     }
 
     /// SHA-256 over all files in a fixed order, in hexadecimal.
-    pub fn hash(&self) -> String {
-        use std::fmt::Write;
-        let mut hasher = Sha256::new();
-        for bytes in [&self.vision, &self.text, &self.tokenizer, &self.preprocessor, &self.config] {
-            hasher.update((bytes.len() as u64).to_le_bytes());
-            hasher.update(bytes);
-        }
-        hasher.finalize().iter().fold(String::new(), |mut text, byte| {
-            let _ = write!(text, "{byte:02x}");
-            text
-        })
+    pub fn hash(&self) -> &str {
+        &self.hash
     }
 
     /// The names the guide was taught (`boxmorph.classes` of its configuration).
     pub fn classes(&self) -> Vec<String> {
-        let names = self.config_json.pointer("/boxmorph/classes").and_then(Value::as_array);
+        let names = self.config.pointer("/boxmorph/classes").and_then(Value::as_array);
         names.into_iter().flatten().filter_map(|n| n.as_str().map(str::to_owned)).collect()
     }
 
-    /// The longest text in tokens, where the configuration says it.
-    pub fn max_tokens(&self) -> Option<usize> {
-        let pointer = "/text_config/max_position_embeddings";
-        self.config_json.pointer(pointer).and_then(Value::as_u64).map(|n| n as usize)
+    /// The configuration's name for the kind of model, such as `clip` or `siglip`.
+    pub fn model_type(&self) -> &str {
+        self.config.get("model_type").and_then(Value::as_str).unwrap_or_default()
+    }
+
+    /// The longest text in tokens that the network has positions for, where the configuration says it.
+    pub fn max_positions(&self) -> Option<usize> {
+        length(self.config.pointer("/text_config/max_position_embeddings")?)
+    }
+
+    /// The longest text in tokens that the tokenizer makes, where it says so.
+    pub fn tokenizer_length(&self) -> Option<usize> {
+        length(self.tokenizer_config.get("model_max_length")?)
+    }
+
+    /// The token that fills a text up, where the tokenizer names it.
+    pub fn pad_token(&self) -> Option<&str> {
+        let token = self.tokenizer_config.get("pad_token")?;
+        token.as_str().or_else(|| token.get("content")?.as_str())
+    }
+
+    /// Whether a text is filled up in front of its first word.
+    pub fn pads_left(&self) -> bool {
+        self.tokenizer_config.get("padding_side").and_then(Value::as_str) == Some("left")
+    }
+
+    /// The number of that token, where the configuration says it.
+    pub fn pad_id(&self) -> Option<u32> {
+        let id = self.config.pointer("/text_config/pad_token_id")?.as_u64()?;
+        u32::try_from(id).ok()
     }
 }
 
-fn read(folder: &Path, places: &[&'static str]) -> Result<Vec<u8>, GuideError> {
-    let path =
-        places.iter().map(|place| folder.join(place)).find(|path| path.is_file()).ok_or_else(|| {
-            GuideError::MissingFile { folder: folder.display().to_string(), file: places[0] }
-        })?;
-    std::fs::read(&path)
-        .map_err(|e| GuideError::Unreadable { path: path.display().to_string(), reason: e.to_string() })
+/// A length in tokens; a tokenizer without a longest text has an enormous one.
+fn length(value: &Value) -> Option<usize> {
+    value.as_u64().filter(|n| (1..=4096).contains(n)).map(|n| n as usize)
+}
+
+/// The bytes of the files that are no networks.
+struct OtherFiles {
+    tokenizer: Vec<u8>,
+    preprocessor: Vec<u8>,
+    config: Vec<u8>,
+    tokenizer_config: Option<Vec<u8>>,
+}
+
+/// An ONNX file and the files beside it that hold its weights.
+struct Source {
+    file: String,
+    model: Bytes,
+    external: Vec<(String, Arc<[u8]>)>,
+}
+
+impl Source {
+    fn read(path: &Path) -> Result<Self, GuideError> {
+        let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let model = Bytes::from(read(path, MAX_NETWORK_BYTES)?);
+        let mut external = Vec::new();
+        let mut left = MAX_WEIGHT_BYTES;
+        for (name, least) in external_files(&decode(&file, &model)?) {
+            let bad = |reason: String| GuideError::Weights { file: file.clone(), data: name.clone(), reason };
+            // Beside the network, so that a guide reads nothing that is not its own.
+            let inside = Path::new(&name).components().all(|part| matches!(part, Component::Normal(_)));
+            if name.is_empty() || !inside {
+                return Err(bad("is not in its folder".into()));
+            }
+            let data_path = path.with_file_name(&name);
+            if !regular_file(&data_path)? {
+                return Err(bad("is missing".into()));
+            }
+            let data = read(&data_path, left)?;
+            if (data.len() as u64) < least {
+                return Err(bad(format!("has {} bytes of {least}", data.len())));
+            }
+            left -= data.len() as u64;
+            external.push((name, data.into()));
+        }
+        Ok(Self { file, model, external })
+    }
+
+    fn network(&self, role: Role) -> Result<Network, GuideError> {
+        Network::of_model(&self.file, &self.model, &self.external, role)
+    }
+}
+
+fn hash(sources: &[Source], files: &OtherFiles) -> String {
+    use std::fmt::Write;
+    let mut hasher = Sha256::new();
+    let models = sources.iter().map(|source| source.model.as_ref());
+    let others = [&files.tokenizer, &files.preprocessor, &files.config].map(Vec::as_slice);
+    let weights = sources.iter().flat_map(|source| &source.external).map(|(_, data)| data.as_ref());
+    for bytes in models.chain(others).chain(files.tokenizer_config.as_deref()).chain(weights) {
+        hasher.update((bytes.len() as u64).to_le_bytes());
+        hasher.update(bytes);
+    }
+    hasher.finalize().iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+/// Whether `path` is a file; an error where something else, or a link to nothing, is in its place.
+pub fn regular_file(path: &Path) -> Result<bool, GuideError> {
+    let shown = || path.display().to_string();
+    match std::fs::metadata(path) {
+        Ok(found) if found.is_file() => Ok(true),
+        Ok(found) => {
+            let what = if found.is_dir() { "a folder" } else { "a device or a pipe" };
+            Err(GuideError::NotAFile { path: shown(), what })
+        }
+        Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {
+            if std::fs::symlink_metadata(path).is_ok() {
+                return Err(GuideError::NotAFile { path: shown(), what: "a link to nothing" });
+            }
+            Ok(false)
+        }
+        Err(error) => Err(GuideError::Unreadable { path: shown(), reason: error.to_string() }),
+    }
+}
+
+fn required(folder: &Path, name: &'static str) -> Result<Vec<u8>, GuideError> {
+    optional(folder, name)?
+        .ok_or_else(|| GuideError::MissingFile { folder: folder.display().to_string(), file: name.into() })
+}
+
+fn optional(folder: &Path, name: &str) -> Result<Option<Vec<u8>>, GuideError> {
+    let path: PathBuf = folder.join(name);
+    if regular_file(&path)? { read(&path, MAX_JSON_BYTES).map(Some) } else { Ok(None) }
+}
+
+fn read(path: &Path, most: u64) -> Result<Vec<u8>, GuideError> {
+    let shown = || path.display().to_string();
+    let unreadable = |e: std::io::Error| GuideError::Unreadable { path: shown(), reason: e.to_string() };
+    let file = std::fs::File::open(path).map_err(unreadable)?;
+    let length = file.metadata().map_err(unreadable)?.len();
+    if length > most {
+        return Err(GuideError::TooLarge { path: shown(), most: most >> 20 });
+    }
+    let mut bytes = Vec::with_capacity(length as usize);
+    file.take(most).read_to_end(&mut bytes).map_err(unreadable)?;
+    Ok(bytes)
+}
+
+fn json(file: &'static str, bytes: &[u8]) -> Result<Value, GuideError> {
+    serde_json::from_slice(bytes).map_err(|e| GuideError::BadJson { file, reason: e.to_string() })
 }

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Guides: text–image models that say how much an image looks like a prompt.
 //!
-//! A guide is a folder in the layout of CLIP and `SigLIP` exports (`vision_model.onnx`, `text_model.onnx`,
-//! `tokenizer.json`, `preprocessor_config.json`, `config.json`; the models may lie under `onnx/`).
+//! A guide is a folder in the layout of CLIP and `SigLIP` exports: `vision_model.onnx` and `text_model.onnx`, or
+//! `model.onnx` with both, in one or more precisions, here or under `onnx/`; `tokenizer.json`,
+//! `preprocessor_config.json`, `config.json`.
 //! The embedded guide is compiled into the library.
 
 mod encoder;
 mod error;
 mod files;
+mod layout;
+mod network;
+mod onnx;
 mod preprocess;
 mod provider;
 mod runtime;
@@ -23,6 +27,7 @@ pub use runtime::{library as runtime_library, set_default_library, version as ru
 
 use encoder::Encoder;
 use files::GuideFiles;
+use network::Network;
 use preprocess::Preprocess;
 use suggest::Vocabulary;
 use text::Text;
@@ -42,6 +47,9 @@ const EXAMPLES: usize = 8;
 /// Networks up to this size are opened once a thread; larger ones share one session.
 const SMALL_MODEL_BYTES: usize = 64 << 20;
 
+/// Most rows of a text network's table that no token of its tokenizer uses.
+const SPARE_ROWS: usize = 1024;
+
 /// An opened text–image model. Embeddings are unit vectors of [`Guide::dimension`] numbers.
 pub struct Guide {
     name: String,
@@ -55,6 +63,7 @@ pub struct Guide {
     dimension: usize,
     provider: Provider,
     provider_note: Option<String>,
+    precision: &'static str,
 }
 
 impl std::fmt::Debug for Guide {
@@ -66,7 +75,7 @@ impl std::fmt::Debug for Guide {
 impl Guide {
     /// Opens the guide in `folder`, or the embedded one. `threads` defaults to the machine's; `provider`, which
     /// encodes the images, to the processor, or for a large guide to a graphics card where a library of the
-    /// user's own has one.
+    /// user's own has one; `precision`, such as "fp16" or "int8", to the most exact that the folder has.
     ///
     /// A provider that cannot be used is no error: the processor takes its place, and
     /// [`Guide::provider_note`] says why.
@@ -74,13 +83,14 @@ impl Guide {
         folder: Option<&Path>,
         threads: Option<usize>,
         provider: Option<Provider>,
+        precision: Option<&str>,
     ) -> Result<Self, GuideError> {
         let files = match folder {
-            Some(folder) => GuideFiles::read(folder)?,
+            Some(folder) => GuideFiles::read(folder, precision)?,
             None => GuideFiles::embedded()?,
         };
         let threads = threads.unwrap_or_else(available_threads).max(1);
-        let small = files.vision.len() <= SMALL_MODEL_BYTES;
+        let small = files.vision.bytes() <= SMALL_MODEL_BYTES;
         let wanted = match provider {
             Some(provider) => provider,
             None => provider::automatic(small)?,
@@ -106,15 +116,15 @@ impl Guide {
     ) -> Result<Self, GuideError> {
         let environment = runtime::environment()?;
         let (sessions, intra) = if small && provider == Provider::Cpu { (threads, 1) } else { (1, threads) };
-        let vision =
-            Encoder::open(&environment, "vision_model.onnx", &files.vision, provider, sessions, intra)?;
-        // One prompt a search: not worth another device's start.
-        let text_encoder =
-            Encoder::open(&environment, "text_model.onnx", &files.text, Provider::Cpu, 1, intra)?;
-        let text = Text::new(&files.tokenizer, files.max_tokens())?;
         let preprocess = Preprocess::from_json(&files.preprocessor)?;
+        check_images(&files.vision, preprocess.size)?;
+        let text = Text::new(files)?;
+        check_vocabulary(&files.text, text.vocabulary_size())?;
+        let vision = Encoder::open(&environment, &files.vision, provider, sessions, intra)?;
+        // One prompt a search: not worth another device's start.
+        let text_encoder = Encoder::open(&environment, &files.text, Provider::Cpu, 1, intra)?;
         let mut guide = Self {
-            hash: files.hash(),
+            hash: files.hash().to_owned(),
             classes: files.classes(),
             class_embeddings: OnceLock::new(),
             name: files.name.clone(),
@@ -125,6 +135,7 @@ impl Guide {
             dimension: 0,
             provider,
             provider_note: None,
+            precision: files.precision,
         };
         guide.dimension = guide.check_dimensions()?;
         Ok(guide)
@@ -160,6 +171,12 @@ impl Guide {
         self.provider_note.as_deref()
     }
 
+    /// The precision of its image network, such as "fp32" or "int8", by its file's name.
+    #[must_use]
+    pub fn precision(&self) -> &'static str {
+        self.precision
+    }
+
     /// Side of the square images it reads, in pixels.
     #[must_use]
     pub fn image_size(&self) -> u32 {
@@ -179,6 +196,11 @@ impl Guide {
         let mut embedding = self.text_encoder.encode_tokens(&tokens)?;
         normalise(&mut embedding)?;
         Ok(embedding)
+    }
+
+    /// The numbers of the tokens that its text network reads for `text`, padding included.
+    pub fn token_ids(&self, text: &str) -> Result<Vec<i64>, GuideError> {
+        Ok(self.text.encode(text)?.ids)
     }
 
     /// Unit embeddings, `names × dimension`, of [`Guide::classes`].
@@ -250,18 +272,46 @@ impl Guide {
 
     /// Runs both networks once, so that a guide whose parts do not fit is refused when opened.
     fn check_dimensions(&self) -> Result<usize, GuideError> {
-        let text = self.text_encoder.encode_tokens(&self.text.encode("a chair")?)?.len();
-        let blank = vec![0; (self.preprocess.size as usize).pow(2) * 3];
-        let image = self.vision.encode_images(&blank, &self.preprocess, 1)?.len();
-        if text != image || text == 0 {
-            return Err(GuideError::Dimensions { text, image });
+        let mut text = self.text_encoder.encode_tokens(&self.text.encode("a chair")?)?;
+        // Of all shades: a small network may well see nothing in a blank image.
+        let shades: Vec<u8> = (0..(self.preprocess.size as usize).pow(2) * 3).map(|k| k as u8).collect();
+        let mut image = self.vision.encode_images(&shades, &self.preprocess, 1)?;
+        if text.len() != image.len() || text.is_empty() {
+            return Err(GuideError::Dimensions { text: text.len(), image: image.len() });
         }
-        Ok(text)
+        normalise(&mut text)?;
+        normalise(&mut image)?;
+        Ok(text.len())
     }
 }
 
 fn available_threads() -> usize {
     std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
+}
+
+/// Refuses an image network that reads one size of images where another is made.
+fn check_images(vision: &Network, size: u32) -> Result<(), GuideError> {
+    if let Some(count) = vision.fixed_batch().filter(|count| *count != 1) {
+        let reason = format!("it reads {count} images at a time; export it for any number");
+        return Err(GuideError::BadModel { file: vision.file.clone(), reason });
+    }
+    match vision.fixed_image() {
+        Some((height, width)) if (height, width) != (size as usize, size as usize) => {
+            Err(GuideError::ImageSize { file: vision.file.clone(), width, height, size })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Refuses a tokenizer that is not the text network's own.
+fn check_vocabulary(text: &Network, tokens: usize) -> Result<(), GuideError> {
+    match text.vocabulary {
+        // Tables are rounded up in some models.
+        Some(known) if !(tokens..=tokens + SPARE_ROWS).contains(&known) => {
+            Err(GuideError::Vocabulary { file: text.file.clone(), tokens, known })
+        }
+        _ => Ok(()),
+    }
 }
 
 fn check_prompt(prompt: &str) -> Result<(), GuideError> {

@@ -15,26 +15,35 @@ pub struct Preprocess {
 }
 
 impl Preprocess {
-    pub fn from_json(bytes: &[u8]) -> Result<Self, GuideError> {
+    pub fn from_json(json: &Value) -> Result<Self, GuideError> {
         let bad = |reason: &str| GuideError::BadJson { file: FILE, reason: reason.into() };
-        let json: Value = serde_json::from_slice(bytes).map_err(|e| bad(&e.to_string()))?;
-        let size = ["/crop_size/height", "/crop_size", "/size/height", "/size/shortest_edge", "/size"]
-            .iter()
-            .find_map(|pointer| json.pointer(pointer).and_then(Value::as_u64))
+        let on = |key: &str| json.get(key).and_then(Value::as_bool).unwrap_or(true);
+        let cropped = json.get("crop_size").filter(|_| on("do_center_crop")).and_then(side);
+        let size = cropped
+            .or_else(|| json.get("size").and_then(side))
             .ok_or_else(|| bad("it names no image size"))?;
-        if !(8..=2048).contains(&size) {
+        if size[0] != size[1] {
+            return Err(bad("its images are not square"));
+        }
+        if !(8..=2048).contains(&size[0]) {
             return Err(bad("its image size is not within 8 to 2048"));
         }
         let scale = json.get("rescale_factor").and_then(Value::as_f64).unwrap_or(1.0 / 255.0);
-        let mean = triple(&json, "image_mean").ok_or_else(|| bad("image_mean is not three numbers"))?;
-        let std = triple(&json, "image_std").ok_or_else(|| bad("image_std is not three numbers"))?;
+        let scale = if on("do_rescale") { scale } else { 1.0 };
+        let (mean, std) = if on("do_normalize") {
+            let numbers =
+                |key: &str| triple(json, key).ok_or_else(|| bad(&format!("{key} is not three numbers")));
+            (numbers("image_mean")?, numbers("image_std")?)
+        } else {
+            ([0.0; 3], [1.0; 3])
+        };
         if std.iter().any(|s| *s <= 0.0) {
             return Err(bad("image_std is not positive"));
         }
         let table = std::array::from_fn(|channel| {
             std::array::from_fn(|byte| ((byte as f64 * scale - mean[channel]) / std[channel]) as f32)
         });
-        Ok(Self { size: size as u32, table })
+        Ok(Self { size: size[0] as u32, table })
     }
 
     /// Converts RGB images (`k × size × size × 3` bytes) into `k × 3 × size × size` numbers.
@@ -48,6 +57,15 @@ impl Preprocess {
             }
         }
     }
+}
+
+/// Height and width of a size in one of the forms that it has.
+fn side(size: &Value) -> Option<[u64; 2]> {
+    let of = |key: &str| size.get(key).and_then(Value::as_u64);
+    if let Some(side) = size.as_u64().or_else(|| of("shortest_edge")) {
+        return Some([side, side]);
+    }
+    Some([of("height")?, of("width")?])
 }
 
 fn triple(json: &Value, key: &str) -> Option<[f64; 3]> {

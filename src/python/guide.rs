@@ -45,12 +45,19 @@ pub struct PyGuide(pub Arc<Guide>);
 impl PyGuide {
     /// Opens the guide in a folder; None opens the embedded one.
     #[staticmethod]
-    #[pyo3(signature = (path=None, threads=None, provider="auto"))]
+    #[pyo3(signature = (path=None, threads=None, provider="auto", precision="auto"))]
     #[expect(clippy::needless_pass_by_value, reason = "pyo3 extracts owned paths")]
-    fn open(py: Python<'_>, path: Option<PathBuf>, threads: Option<usize>, provider: &str) -> PyResult<Self> {
+    fn open(
+        py: Python<'_>,
+        path: Option<PathBuf>,
+        threads: Option<usize>,
+        provider: &str,
+        precision: &str,
+    ) -> PyResult<Self> {
         let guide = py.detach(|| -> Result<_, GuideError> {
             let provider = if provider == "auto" { None } else { Some(provider.parse()?) };
-            Guide::open(path.as_deref(), threads, provider)
+            let precision = (precision != "auto").then_some(precision);
+            Guide::open(path.as_deref(), threads, provider, precision)
         });
         Ok(Self(Arc::new(guide.map_err(|e| IntoPyErr::into_py_err(&e))?)))
     }
@@ -86,6 +93,11 @@ impl PyGuide {
         self.0.nearest_words(word, count)
     }
 
+    /// The numbers of the tokens that its text network reads, padding included.
+    fn token_ids(&self, text: &str) -> PyResult<Vec<i64>> {
+        self.0.token_ids(text).map_err(|e| IntoPyErr::into_py_err(&e))
+    }
+
     #[getter]
     fn image_size(&self) -> u32 {
         self.0.image_size()
@@ -112,6 +124,12 @@ impl PyGuide {
     #[getter]
     fn provider(&self) -> &'static str {
         self.0.provider().name()
+    }
+
+    /// The precision of its image network, by its file's name.
+    #[getter]
+    fn precision(&self) -> &'static str {
+        self.0.precision()
     }
 
     /// A sentence on why the provider that was asked for is not used; None where it is.

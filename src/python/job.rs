@@ -49,9 +49,9 @@ impl PyJob {
     ) -> PyResult<Self> {
         let guide = match guide {
             Some(guide) => guide.0.clone(),
-            None => {
-                Arc::new(py.detach(|| Guide::open(None, None, None)).map_err(|e| IntoPyErr::into_py_err(&e))?)
-            }
+            None => Arc::new(
+                py.detach(|| Guide::open(None, None, None, None)).map_err(|e| IntoPyErr::into_py_err(&e))?,
+            ),
         };
         let spec = JobSpec {
             mesh: mesh.0.as_ref().clone(),
