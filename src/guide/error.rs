@@ -121,6 +121,17 @@ pub enum GuideError {
         /// What ONNX Runtime says.
         reason: String,
     },
+    /// No copy in eight bits can be made.
+    #[error("the guide's image network cannot be made smaller ({0}); use it as it is")]
+    Quantize(String),
+    /// A file cannot be written.
+    #[error("\"{path}\" cannot be written ({reason}); choose another folder, or make room there")]
+    Unwritable {
+        /// The file.
+        path: String,
+        /// What the system says.
+        reason: String,
+    },
     /// Text and image embeddings differ in length.
     #[error(
         "the guide's text embeddings have {text} numbers and its image embeddings {image}; \

@@ -41,7 +41,11 @@ pub struct Layout {
 
 #[derive(Debug, PartialEq, Eq)]
 pub enum Networks {
-    Separate { vision: PathBuf, text: PathBuf },
+    /// The text network may lie in a file that holds both.
+    Separate {
+        vision: PathBuf,
+        text: PathBuf,
+    },
     Combined(PathBuf),
 }
 
@@ -77,7 +81,10 @@ impl Layout {
         let mut missing = PAIRS[0].0;
         for (vision, text) in PAIRS {
             let vision = first(folder, vision, &mut admitted())?;
-            let text_file = first(folder, text, &mut PRECISIONS.iter())?;
+            let text_file = match first(folder, text, &mut PRECISIONS.iter())? {
+                None => first(folder, COMBINED, &mut PRECISIONS.iter())?,
+                own => own,
+            };
             match (vision, text_file) {
                 (Some((vision, precision)), Some((text, _))) => {
                     return Ok(Self { networks: Networks::Separate { vision, text }, precision });
@@ -186,6 +193,14 @@ mod tests {
             let (names, precision) = found("mixed", &files, precision).unwrap();
             assert_eq!((names.as_slice(), precision), (files.map(str::to_owned).as_slice(), "int8"));
         }
+    }
+
+    #[test]
+    fn a_text_network_may_be_half_of_one_that_holds_both() {
+        let files = ["onnx/vision_model_int8.onnx", "onnx/model.onnx"];
+        let (names, precision) = found("part", &files, Some("int8")).unwrap();
+        assert_eq!((names.as_slice(), precision), (files.map(str::to_owned).as_slice(), "int8"));
+        assert_eq!(found("part", &files, None).unwrap().1, "fp32");
     }
 
     #[test]

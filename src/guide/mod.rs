@@ -6,6 +6,7 @@
 //! `preprocessor_config.json`, `config.json`.
 //! The embedded guide is compiled into the library.
 
+mod agreement;
 mod encoder;
 mod error;
 mod files;
@@ -14,16 +15,20 @@ mod network;
 mod onnx;
 mod preprocess;
 mod provider;
+mod quantize;
 mod runtime;
+mod smaller;
 mod suggest;
 mod text;
 
 use std::path::Path;
 use std::sync::OnceLock;
 
+pub use agreement::Agreement;
 pub use error::GuideError;
 pub use provider::Provider;
 pub use runtime::{library as runtime_library, set_default_library, version as runtime_version};
+pub use smaller::{Smaller, smaller};
 
 use encoder::Encoder;
 use files::GuideFiles;

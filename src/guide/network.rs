@@ -162,7 +162,8 @@ fn check_inputs(inputs: &[(String, Vec<Option<usize>>)], role: Role) -> Result<(
         return Ok(());
     }
     let wanted = if role == Role::Vision { "images alone" } else { "text alone" };
-    Err(format!("it does not read {wanted}, but: {}", names()))
+    let read = if inputs.is_empty() { "nothing".into() } else { names() };
+    Err(format!("it does not read {wanted}, but: {read}"))
 }
 
 /// Inputs that no initializer fills.
@@ -223,7 +224,7 @@ fn keep_only(graph: &mut Graph, output: &str) -> bool {
 }
 
 /// What a node reads, the graphs inside it included.
-fn names_read<'g>(node: &'g Node, names: &mut Vec<&'g str>) {
+pub fn names_read<'g>(node: &'g Node, names: &mut Vec<&'g str>) {
     names.extend(node.input.iter().map(String::as_str).filter(|name| !name.is_empty()));
     for inner in node.graphs() {
         names.extend(inner.output.iter().map(ValueInfo::name));

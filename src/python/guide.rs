@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 use super::arrays;
 use super::errors::IntoPyErr;
@@ -60,6 +61,34 @@ impl PyGuide {
             Guide::open(path.as_deref(), threads, provider, precision)
         });
         Ok(Self(Arc::new(guide.map_err(|e| IntoPyErr::into_py_err(&e))?)))
+    }
+
+    /// Writes a copy of a guide's image network in eight bits, and tells how far it agrees with the exact one.
+    #[staticmethod]
+    #[pyo3(signature = (folder, output=None, threads=None))]
+    #[expect(clippy::needless_pass_by_value, reason = "pyo3 extracts owned paths")]
+    fn quantize(
+        py: Python<'_>,
+        folder: PathBuf,
+        output: Option<PathBuf>,
+        threads: Option<usize>,
+    ) -> PyResult<Bound<'_, PyDict>> {
+        let made = py
+            .detach(|| guide::smaller(&folder, output.as_deref(), threads))
+            .map_err(|e| IntoPyErr::into_py_err(&e))?;
+        let figures = PyDict::new(py);
+        figures.set_item("file", made.file)?;
+        figures.set_item("products", made.products)?;
+        figures.set_item("exact_bytes", made.exact_bytes)?;
+        figures.set_item("bytes", made.bytes)?;
+        figures.set_item("images", made.agreement.images)?;
+        figures.set_item("cosine_mean", made.agreement.cosine_mean)?;
+        figures.set_item("cosine_min", made.agreement.cosine_min)?;
+        figures.set_item("rank_mean", made.agreement.rank_mean)?;
+        figures.set_item("rank_min", made.agreement.rank_min)?;
+        figures.set_item("exact_images_per_second", made.agreement.exact_speed)?;
+        figures.set_item("images_per_second", made.agreement.fast_speed)?;
+        Ok(figures)
     }
 
     fn text_embedding<'py>(&self, py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyArray1<f32>>> {

@@ -145,7 +145,7 @@ class Toy:
         path = folder / self.place / f"{name}{self.ending}.onnx"
         if self.external:
             location = f"{path.name}_data"
-            onnx.save(network, path, save_as_external_data=True, location=location, size_threshold=64)
+            onnx.save(network, path, save_as_external_data=True, location=location, size_threshold=256)
         else:
             onnx.save(network, path)
 
