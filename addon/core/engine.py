@@ -113,6 +113,11 @@ def _open(guide, folder, _runtime_library, threads, provider):
         raise Refusal(capitalised(sentence(error))) from error
 
 
+def close_guide():
+    """Let go of the guide that is open, if any, for the memory that it takes."""
+    _guides.clear()
+
+
 def known_guide():
     """Return the guide of the present preferences if it is open, and the Refusal if it was tried and could
     not be opened; None for what is not known. Opens nothing.

@@ -494,6 +494,33 @@ MESSAGES = {
     ("*", "Open the chosen guide again, and say what it is or why it cannot be used"): (
         "Das gewählte Leitmodell noch einmal öffnen und sagen, was es ist oder warum es nicht verwendbar ist"
     ),
+    ("Operator", "Make 8-Bit Copy"): "8-Bit-Kopie anlegen",
+    (
+        "*",
+        "Make a copy of the chosen guide whose image network calculates in eight bits, measure how far it "
+        "agrees with the exact one, and choose it. Good for drafts; the exact guide stays",
+    ): (
+        "Eine Kopie des gewählten Leitmodells anlegen, deren Bildnetz in acht Bit rechnet, messen, wie weit "
+        "sie mit dem genauen übereinstimmt, und sie wählen. Gut für Entwürfe; das genaue Leitmodell bleibt"
+    ),
+    ("*", "Blender waits for it, about a minute for a large guide"): (
+        "Blender wartet darauf, bei einem großen Leitmodell etwa eine Minute"
+    ),
+    ("*", "Make Copy"): "Kopie anlegen",
+    ("*", "The embedded guide is fast as it is. Choose a large one first"): (
+        "Das eingebaute Leitmodell ist schon schnell. Wählen Sie erst ein großes"
+    ),
+    ("*", "{folder} is there already. Choose that guide, or delete it first"): (
+        "{folder} gibt es schon. Wählen Sie dieses Leitmodell, oder löschen Sie es zuerst"
+    ),
+    (
+        "*",
+        "{bytes} instead of {exact_bytes}, {speed:.1f} times as fast. Its embeddings agree to a cosine of "
+        "{cosine:.4f}, and it puts candidates into the same order to {order:.2f} of 1",
+    ): (
+        "{bytes} statt {exact_bytes}, {speed:.1f}-mal so schnell. Seine Einbettungen stimmen bis auf einen "
+        "Kosinus von {cosine:.4f} überein, die Reihenfolge der Kandidaten zu {order:.2f} von 1"
+    ),
     ("*", "Not opened yet"): "Noch nicht geöffnet",
     ("*", "“{name}” knows {known}, sees images of {pixels} pixels"): (
         "„{name}“ kennt {known}, sieht Bilder von {pixels} Pixeln"

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
+"""Copies of guides in eight bits, by button and on the command line."""
+
+import pathlib
+
+import addon_blender as blender
+import pytest
+from addon_blender import bpy
+
+pytest.importorskip("onnx", reason="the module onnx, which makes the toy guide, is not installed here")
+from toy_guides import TinyViT
+
+engine = blender.addon("engine")
+copies = blender.addon("guide_copies")
+
+
+@pytest.fixture
+def prefs(tmp_path):
+    """The preferences, with a guides folder that holds a toy of a large guide."""
+    prefs = blender.preferences()
+    TinyViT().write(tmp_path / "guides" / "large")
+    prefs.guides_folder = str(tmp_path / "guides")
+    prefs.guide_folder = str(tmp_path / "guides" / "large")
+    yield prefs
+    prefs.guide_folder = prefs.guides_folder = ""
+
+
+def test_the_button_makes_a_copy_measures_and_chooses_it(prefs):
+    assert bpy.ops.boxmorph.quantize_guide() == {"FINISHED"}
+    assert prefs.guide_folder.endswith("large-int8")
+    guide = engine.open_guide()
+    assert (guide.name, guide.precision) == ("large-int8", "int8")
+
+
+def test_a_copy_says_what_it_is_worth(prefs):
+    folder, figures = copies.eight_bit_copy(engine.guide_folder())
+    assert pathlib.Path(folder).is_dir()
+    said = copies.summary(figures)
+    assert " MB instead of " in said and "times as fast" in said and "a cosine of 0.9" in said
+
+
+def test_no_copy_is_made_twice_or_of_the_embedded_guide(prefs):
+    bpy.ops.boxmorph.quantize_guide()
+    prefs.guide_folder = prefs.guide_folder.removesuffix("-int8")
+    with pytest.raises(RuntimeError, match="is there already"):
+        bpy.ops.boxmorph.quantize_guide()
+    prefs.guide_folder = ""
+    with pytest.raises(RuntimeError, match="The embedded guide is fast as it is"):
+        bpy.ops.boxmorph.quantize_guide()
+
+
+def test_a_damaged_guide_leaves_nothing_behind(prefs):
+    root = pathlib.Path(prefs.guides_folder)
+    (root / "large" / "text_model.onnx").write_bytes(b"no network")
+    with pytest.raises(RuntimeError, match=r"text_model\.onnx is not a network"):
+        bpy.ops.boxmorph.quantize_guide()
+    assert [path.name for path in root.iterdir()] == ["large"]
+
+
+def test_the_command_line_makes_one_and_says_so(prefs, capsys):
+    before = prefs.guide_folder
+    assert blender.addon("guide_copy").make(before) == 0
+    said = capsys.readouterr().out
+    assert "large-int8: " in said and "times as fast" in said
+    assert prefs.guide_folder == before
