@@ -7,7 +7,7 @@ from ..errors import Refusal
 from . import engine, guides
 
 #: What the name of a copy's folder ends in.
-_ENDING = "-int8"
+_ENDING = "-8bit"
 
 
 def eight_bit_copy(folder):

@@ -22,6 +22,9 @@ const MAX_WEIGHT_BYTES: u64 = 16 << 30;
 /// Largest other file; a tokenizer of 256,000 words has 34 MB.
 const MAX_JSON_BYTES: u64 = 256 << 20;
 
+/// Longest text of any guide, in tokens.
+pub const MAX_TOKENS: usize = 4096;
+
 /// Files that say more of the tokenizer and are not in every folder.
 const TOKENIZER_CONFIG: &str = "tokenizer_config.json";
 
@@ -163,7 +166,7 @@ impl GuideFiles {
 
 /// A length in tokens; a tokenizer without a longest text has an enormous one.
 fn length(value: &Value) -> Option<usize> {
-    value.as_u64().filter(|n| (1..=4096).contains(n)).map(|n| n as usize)
+    value.as_u64().map(|n| n as usize).filter(|n| (1..=MAX_TOKENS).contains(n))
 }
 
 /// The bytes of the files that are no networks.

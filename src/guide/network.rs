@@ -28,6 +28,7 @@ pub enum TextInput {
 }
 
 /// A network that ONNX Runtime can open, and what is known of it beforehand.
+#[derive(Clone)]
 pub struct Network {
     /// Its file's name, for errors.
     pub file: String,

@@ -60,6 +60,7 @@ struct Product<'n> {
 impl<'n> Product<'n> {
     fn of(node: &'n Node) -> Option<Self> {
         let weight = node.input.get(1)?.as_str();
+        node.output.first()?;
         let number = |name: &str| node.attribute.iter().find(|attribute| attribute.name() == name);
         let unscaled =
             |name: &str| number(name).is_none_or(|a| a.f.is_none_or(|f| (f - 1.0).abs() < f32::EPSILON));
@@ -99,7 +100,8 @@ impl Made {
         let tensor = weights.get(product.weight)?;
         let [first, second] = tensor.dims.as_slice() else { return None };
         let (first, second) = (usize::try_from(*first).ok()?, usize::try_from(*second).ok()?);
-        let values = floats(tensor, external).filter(|values| values.len() == first * second)?;
+        let count = first.checked_mul(second).filter(|count| *count > 0);
+        let values = floats(tensor, external).filter(|values| Some(values.len()) == count)?;
         let (rows, columns, values) = if product.transposed {
             let turned = (0..second).flat_map(|k| values.iter().skip(k).step_by(second).copied());
             (second, first, turned.collect())

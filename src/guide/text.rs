@@ -2,6 +2,7 @@
 //! Prompts to token ids, and the words a guide does not know.
 
 use std::borrow::Cow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use tokenizers::models::ModelWrapper;
 use tokenizers::{
@@ -9,7 +10,7 @@ use tokenizers::{
 };
 
 use super::GuideError;
-use super::files::GuideFiles;
+use super::files::{GuideFiles, MAX_TOKENS};
 
 /// Words that name nothing by themselves: a prompt needs another one that the guide knows.
 const FILLERS: [&str; 24] = [
@@ -53,7 +54,14 @@ enum Form {
 impl Text {
     pub fn new(files: &GuideFiles) -> Result<Self, GuideError> {
         let bad = |reason: String| GuideError::BadJson { file: "tokenizer.json", reason };
-        let mut tokenizer = Tokenizer::from_bytes(&files.tokenizer).map_err(|e| bad(e.to_string()))?;
+        let mut tokenizer = guarded(|| Tokenizer::from_bytes(&files.tokenizer)).map_err(bad)?;
+        let long = |length: usize| length > MAX_TOKENS;
+        if tokenizer.get_padding().is_some_and(|padding| {
+            matches!(padding.strategy, PaddingStrategy::Fixed(length) if long(length))
+                || padding.pad_to_multiple_of.is_some_and(long)
+        }) {
+            return Err(bad(format!("it fills texts up beyond {MAX_TOKENS} tokens")));
+        }
         let form = match (files.model_type().starts_with("siglip"), tokenizer.get_model()) {
             (false, _) => Form::Plain,
             (true, ModelWrapper::Unigram(_)) => Form::Siglip,
@@ -87,7 +95,7 @@ impl Text {
     pub fn encode(&self, text: &str) -> Result<Tokens, GuideError> {
         let text = self.form.of(text);
         let encoding =
-            self.tokenizer.encode(text.as_ref(), true).map_err(|e| GuideError::Tokenize(e.to_string()))?;
+            guarded(|| self.tokenizer.encode(text.as_ref(), true)).map_err(GuideError::Tokenize)?;
         let mask = encoding.get_attention_mask().iter();
         Ok(Tokens {
             ids: encoding.get_ids().iter().map(|id| i64::from(*id)).collect(),
@@ -107,8 +115,7 @@ impl Text {
 
     pub fn unknown_words(&self, text: &str) -> Result<Vec<String>, GuideError> {
         let text = self.form.of(text);
-        let encoding =
-            self.whole.encode(text.as_ref(), false).map_err(|e| GuideError::Tokenize(e.to_string()))?;
+        let encoding = guarded(|| self.whole.encode(text.as_ref(), false)).map_err(GuideError::Tokenize)?;
         let mut words: Vec<String> = Vec::new();
         for (id, (start, end)) in encoding.get_ids().iter().zip(encoding.get_offsets()) {
             let word = text.get(*start..*end).unwrap_or_default();
@@ -117,6 +124,14 @@ impl Text {
             }
         }
         Ok(words)
+    }
+}
+
+/// What a tokenizer does, or why it does not: some damaged files make the library panic.
+fn guarded<T>(work: impl FnOnce() -> tokenizers::Result<T>) -> Result<T, String> {
+    match catch_unwind(AssertUnwindSafe(work)) {
+        Ok(done) => done.map_err(|e| e.to_string()),
+        Err(_) => Err("no tokenizer can be made of it".into()),
     }
 }
 

@@ -112,9 +112,15 @@ def mutate(guides, folder, number, seed):
 
 
 def outcome(folder):
-    """What opening and using a guide comes to: "used", or the sentence that refuses it."""
+    """What opening and using a guide comes to, and copying it in eight bits: "used", or the sentence that
+    refuses it.
+    """
     try:
-        guide = boxmorph.Guide.open(folder, threads=1)
+        boxmorph.Guide.quantize(folder, threads=1)
+    except boxmorph.GuideError:
+        pass
+    try:
+        guide = boxmorph.Guide.open(folder, threads=1, precision="fp32")
         size = guide.image_size
         guide.image_embeddings(np.zeros((13, size, size, 3), np.uint8))
         guide.text_embedding("a bar stool")

@@ -27,9 +27,9 @@ def prefs(tmp_path):
 
 def test_the_button_makes_a_copy_measures_and_chooses_it(prefs):
     assert bpy.ops.boxmorph.quantize_guide() == {"FINISHED"}
-    assert prefs.guide_folder.endswith("large-int8")
+    assert prefs.guide_folder.endswith("large-8bit")
     guide = engine.open_guide()
-    assert (guide.name, guide.precision) == ("large-int8", "int8")
+    assert (guide.name, guide.precision) == ("large-8bit", "int8")
 
 
 def test_a_copy_says_what_it_is_worth(prefs):
@@ -41,7 +41,7 @@ def test_a_copy_says_what_it_is_worth(prefs):
 
 def test_no_copy_is_made_twice_or_of_the_embedded_guide(prefs):
     bpy.ops.boxmorph.quantize_guide()
-    prefs.guide_folder = prefs.guide_folder.removesuffix("-int8")
+    prefs.guide_folder = prefs.guide_folder.removesuffix("-8bit")
     with pytest.raises(RuntimeError, match="is there already"):
         bpy.ops.boxmorph.quantize_guide()
     prefs.guide_folder = ""
@@ -61,5 +61,5 @@ def test_the_command_line_makes_one_and_says_so(prefs, capsys):
     before = prefs.guide_folder
     assert blender.addon("guide_copy").make(before) == 0
     said = capsys.readouterr().out
-    assert "large-int8: " in said and "times as fast" in said
+    assert "large-8bit: " in said and "times as fast" in said
     assert prefs.guide_folder == before

@@ -265,6 +265,27 @@ def test_other_json(tmp_path, name, content):
         assert name in refusal(tmp_path)
 
 
+def damaged_tokenizer(folder, **parts):
+    whole = json.loads((folder / "tokenizer.json").read_text())
+    (folder / "tokenizer.json").write_text(json.dumps(whole | parts))
+    return folder
+
+
+def test_a_tokenizer_that_its_library_cannot_make(tmp_path):
+    """It panics at this one."""
+    Toy().write(tmp_path)
+    damaged_tokenizer(tmp_path, normalizer={"type": "Precompiled", "precompiled_charsmap": "AAAA"})
+    assert "tokenizer.json is damaged" in refusal(tmp_path)
+
+
+def test_a_tokenizer_that_would_fill_the_memory(tmp_path):
+    Toy().write(tmp_path)
+    padding = {"direction": "Right", "pad_id": 0, "pad_type_id": 0, "pad_token": "[PAD]"}
+    for strategy, multiple in (({"Fixed": 1 << 40}, None), ("BatchLongest", 1 << 40)):
+        damaged_tokenizer(tmp_path, padding={**padding, "strategy": strategy, "pad_to_multiple_of": multiple})
+        assert "it fills texts up beyond 4096 tokens" in refusal(tmp_path)
+
+
 def test_lengths_that_make_no_sense(tmp_path):
     Toy().write(tmp_path)
     for length in (0, 1, -3, 1 << 60, "many"):
