@@ -50,15 +50,21 @@ impl CpuRenderer {
         Ok(Self { colors: Some(colors), ..Self::new(scene) })
     }
 
-    fn candidate(&self, index: usize, scales: &[Vec3], out: &mut [u8]) -> Result<(), RenderError> {
+    fn candidate(
+        &self,
+        index: usize,
+        scales: &[Vec3],
+        views: &[usize],
+        out: &mut [u8],
+    ) -> Result<(), RenderError> {
         self.positions.with(|positions| {
             let field: &DeformField = &self.scene.field;
             positions.resize(field.vertex_count(), Vec3::ZERO);
             field.deform_into(scales, positions);
             let frame =
                 Frame::of(positions, &self.scene.used).ok_or(RenderError::NonFinite { candidate: index })?;
-            let tile = out.len() / self.cameras.len();
-            out.par_chunks_exact_mut(tile).zip(&self.cameras).for_each(|(image, camera)| {
+            out.par_chunks_exact_mut(self.scene.image_bytes()).zip(views).for_each(|(image, &view)| {
+                let camera = &self.cameras[view];
                 self.rasters.with(|raster| self.view(raster, camera, frame, positions, image));
             });
             Ok(())
@@ -130,17 +136,24 @@ impl Renderer for CpuRenderer {
         "cpu".to_owned()
     }
 
-    fn render(&mut self, candidates: &[Vec<Vec3>], out: &mut Vec<u8>) -> Result<(), RenderError> {
+    fn render(
+        &self,
+        candidates: &[Vec<Vec3>],
+        views: &[usize],
+        out: &mut Vec<u8>,
+    ) -> Result<(), RenderError> {
         self.scene.check(candidates)?;
-        let bytes = self.scene.candidate_bytes();
+        let bytes = views.len() * self.scene.image_bytes();
         out.resize(candidates.len() * bytes, 0);
-        let this = &*self;
+        if bytes == 0 {
+            return Ok(());
+        }
         // Collected in order, so that of several errors the first candidate's is told.
         let results: Vec<_> = out
             .par_chunks_exact_mut(bytes)
             .zip(candidates)
             .enumerate()
-            .map(|(index, (images, scales))| this.candidate(index, scales, images))
+            .map(|(index, (images, scales))| self.candidate(index, scales, views, images))
             .collect();
         results.into_iter().collect()
     }

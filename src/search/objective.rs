@@ -120,9 +120,10 @@ impl<'a> Objective<'a> {
         candidates: &[Vec<Vec3>],
         plan: ImagePlan,
     ) -> Result<Vec<Evaluation>, ObjectiveError> {
-        self.renderer.render(candidates, &mut self.rgba)?;
-        let pairs = plan.pairs(self.renderer.views());
-        self.composite(&pairs);
+        let mut pairs = plan.pairs(self.renderer.views());
+        let views = wanted_views(&mut pairs);
+        self.renderer.render(candidates, &views, &mut self.rgba)?;
+        self.composite(&pairs, views.len());
         let embeddings = self.guide.image_embeddings(&self.rgb)?;
         self.images_encoded += candidates.len() * pairs.len();
         let (mesh, field, rest) = (self.mesh, &*self.field, self.rest_normals.as_slice());
@@ -153,10 +154,10 @@ impl<'a> Objective<'a> {
             .collect())
     }
 
-    /// Puts the views of every candidate before the backgrounds of `pairs`.
-    fn composite(&mut self, pairs: &[(usize, usize)]) {
+    /// Puts the `views` of every candidate before the backgrounds of `pairs`.
+    fn composite(&mut self, pairs: &[(usize, usize)], views: usize) {
         let pixels = (self.renderer.size() as usize).pow(2);
-        let candidate_bytes = self.renderer.views() * pixels * 4;
+        let candidate_bytes = views * pixels * 4;
         let candidates = self.rgba.len() / candidate_bytes;
         self.rgb.resize(candidates * pairs.len() * pixels * 3, 0);
         self.rgb
@@ -169,6 +170,17 @@ impl<'a> Objective<'a> {
                 }
             });
     }
+}
+
+/// The views that `pairs` name, ascending; each pair is made to name its view by its place among them.
+fn wanted_views(pairs: &mut [(usize, usize)]) -> Vec<usize> {
+    let mut views: Vec<usize> = pairs.iter().map(|pair| pair.0).collect();
+    views.sort_unstable();
+    views.dedup();
+    for (view, _) in pairs {
+        *view = views.partition_point(|wanted| wanted < view);
+    }
+    views
 }
 
 /// Mean of 1 − cos between vertex normals before and after (paper §3.1).
