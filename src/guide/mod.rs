@@ -8,7 +8,10 @@
 mod encoder;
 mod error;
 mod files;
+#[allow(dead_code, reason = "the layouts of guides need the rest")]
+mod onnx;
 mod preprocess;
+mod prologue;
 mod provider;
 mod runtime;
 mod suggest;
@@ -24,11 +27,16 @@ pub use runtime::{library as runtime_library, set_default_library, version as ru
 use encoder::Encoder;
 use files::GuideFiles;
 use preprocess::Preprocess;
+use prologue::Extended;
 use suggest::Vocabulary;
 use text::Text;
 
-/// Images encoded in one run of the network. Fixed, so that no result depends on the number of threads.
+/// RGB images encoded in one run of the network. Fixed, so that no result depends on the number of threads.
 const IMAGE_BATCH: usize = 12;
+
+/// Images that keep the processor, and a graphics card, busy in one run of the network; more gain nothing.
+const ENOUGH: usize = 4;
+const ENOUGH_ON_CARD: usize = 144;
 
 /// Longest prompt taken, in characters: guides read some tens of words at most.
 const MAX_PROMPT: usize = 1000;
@@ -106,13 +114,16 @@ impl Guide {
     ) -> Result<Self, GuideError> {
         let environment = runtime::environment()?;
         let (sessions, intra) = if small && provider == Provider::Cpu { (threads, 1) } else { (1, threads) };
-        let vision =
-            Encoder::open(&environment, "vision_model.onnx", &files.vision, provider, sessions, intra)?;
+        let preprocess = Preprocess::from_json(&files.preprocessor)?;
+        let file = "vision_model.onnx";
+        let bad = |reason| GuideError::BadModel { file, reason };
+        let Extended { model, single } = prologue::extend(&files.vision, preprocess.size).map_err(bad)?;
+        let mut vision = Encoder::open(&environment, file, &model, provider, sessions, intra)?;
+        vision.single = single;
         // One prompt a search: not worth another device's start.
         let text_encoder =
             Encoder::open(&environment, "text_model.onnx", &files.text, Provider::Cpu, 1, intra)?;
         let text = Text::new(&files.tokenizer, files.max_tokens())?;
-        let preprocess = Preprocess::from_json(&files.preprocessor)?;
         let mut guide = Self {
             hash: files.hash(),
             classes: files.classes(),
@@ -198,13 +209,33 @@ impl Guide {
             return Err(GuideError::ImageBytes { size: self.preprocess.size, bytes: images.len() });
         }
         let mut all = self.vision.encode_images(images, &self.preprocess, IMAGE_BATCH)?;
-        let count = images.len() / image_bytes;
-        if count > 0 {
-            for embedding in all.chunks_exact_mut(self.dimension.max(1)) {
-                normalise(embedding)?;
-            }
-        }
+        normalise_each(&mut all, self.dimension)?;
         Ok(all)
+    }
+
+    /// Unit embeddings of rendered views before backgrounds, in one run of the network: `embeddings` becomes
+    /// `views × per_view × dimension` numbers.
+    ///
+    /// `views` are RGBA8 with premultiplied alpha, count × size × size × 4. Each is seen before the next `per_view`
+    /// of the `backgrounds`, which begin again when they are used up.
+    ///
+    /// # Panics
+    /// If `views` are no whole number of images.
+    pub fn view_embeddings(
+        &self,
+        views: &[u8],
+        backgrounds: &[[u8; 3]],
+        per_view: usize,
+        embeddings: &mut Vec<f32>,
+    ) -> Result<(), GuideError> {
+        self.vision.encode_views(views, backgrounds, per_view, &self.preprocess, embeddings)?;
+        normalise_each(embeddings, self.dimension)
+    }
+
+    /// Images that one run of the network should have at least.
+    #[must_use]
+    pub fn images_a_run(&self) -> usize {
+        if self.provider == Provider::Cpu { ENOUGH } else { ENOUGH_ON_CARD }
     }
 
     /// The words of `text` that the guide has never seen; none for a guide that spells words out.
@@ -273,6 +304,10 @@ fn check_prompt(prompt: &str) -> Result<(), GuideError> {
         return Err(GuideError::LongPrompt { length, most: MAX_PROMPT });
     }
     Ok(())
+}
+
+fn normalise_each(embeddings: &mut [f32], dimension: usize) -> Result<(), GuideError> {
+    embeddings.chunks_exact_mut(dimension.max(1)).try_for_each(normalise)
 }
 
 fn normalise(embedding: &mut [f32]) -> Result<(), GuideError> {

@@ -16,7 +16,7 @@ mod scene;
 mod shading;
 
 pub use camera::{View, views_by_name};
-pub use composite::{BACKGROUNDS, composite};
+pub use composite::{BACKGROUNDS, composite, premultiply};
 pub use error::RenderError;
 
 use crate::boxdef::DeformField;
@@ -63,6 +63,10 @@ pub trait Renderer: Send + Sync {
 
     /// Pixels along each side of an image.
     fn size(&self) -> u32;
+
+    /// Whether a whole generation is best drawn in one call, as on a GPU; elsewhere several threads may each draw
+    /// some of it.
+    fn draws_generations(&self) -> bool;
 
     /// What draws, for the report: `cpu`, or `gpu:` with the adapter's name and interface.
     fn backend_name(&self) -> String;

@@ -246,6 +246,10 @@ impl Renderer for GpuRenderer {
         self.scene.size
     }
 
+    fn draws_generations(&self) -> bool {
+        true
+    }
+
     fn backend_name(&self) -> String {
         self.gpu.name.clone()
     }
@@ -279,14 +283,8 @@ impl Renderer for GpuRenderer {
         let step = work.plan.candidates;
         for (index, (group, images)) in candidates.chunks(step).zip(out.chunks_mut(step * bytes)).enumerate()
         {
-            guarded(|| self.submit(&work, group, views.len() as u32, images)).map_err(
-                |error| match error {
-                    RenderError::NonFinite { candidate } => {
-                        RenderError::NonFinite { candidate: index * step + candidate }
-                    }
-                    other => other,
-                },
-            )?;
+            guarded(|| self.submit(&work, group, views.len() as u32, images))
+                .map_err(|error| error.counted_from(index * step))?;
         }
         *shared = Some(work);
         Ok(())
