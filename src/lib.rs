@@ -14,6 +14,7 @@ pub mod metrics;
 pub mod render;
 pub mod report;
 pub mod search;
+mod spare;
 pub mod spectrum;
 
 #[cfg(feature = "python")]

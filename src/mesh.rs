@@ -126,8 +126,15 @@ impl Mesh {
     /// If `positions` has not one position per vertex.
     #[must_use]
     pub fn vertex_normals(&self, positions: &[Vec3]) -> Vec<Vec3> {
+        let mut sums = Vec::new();
+        self.normals_at(positions, &mut sums).collect()
+    }
+
+    /// The same, one after another; `sums` is working memory.
+    pub(crate) fn normals_at(&self, positions: &[Vec3], sums: &mut Vec<DVec3>) -> impl Iterator<Item = Vec3> {
         assert_eq!(positions.len(), self.vertices.len(), "one position per vertex");
-        let mut sums = vec![DVec3::ZERO; positions.len()];
+        sums.clear();
+        sums.resize(positions.len(), DVec3::ZERO);
         for &triangle in &self.triangles {
             if let Some(normal) = face_cross(positions, triangle).try_normalize() {
                 for i in triangle {
@@ -135,7 +142,7 @@ impl Mesh {
                 }
             }
         }
-        sums.iter().map(|sum| sum.try_normalize().unwrap_or(DVec3::NAN).as_vec3()).collect()
+        sums.iter().map(|sum| sum.try_normalize().unwrap_or(DVec3::NAN).as_vec3())
     }
 }
 

@@ -261,20 +261,43 @@ fn candidates_are_deformed_and_laid_out_in_order() {
     let basis = (0..3).flat_map(|axis| positions.iter().map(move |p| p[axis])).collect();
     let field = Arc::new(DeformField::new(positions.clone(), 1, basis));
     let views = [FRONT, RIGHT];
-    let mut renderer = open(Backend::Cpu, field, triangles.clone().into(), &views, 32).unwrap();
+    let renderer = open(Backend::Cpu, field, triangles.clone().into(), &views, 32).unwrap();
     assert_eq!((renderer.views(), renderer.size(), renderer.backend_name().as_str()), (2, 32, "cpu"));
     let candidates = [Vec3::ONE, Vec3::new(0.5, 1.0, 1.0), Vec3::new(1.0, 1.0, 2.5)];
     let mut out = vec![7; 3];
-    renderer.render(&candidates.map(|scales| vec![scales]), &mut out).unwrap();
+    renderer.render(&candidates.map(|scales| vec![scales]), &[0, 1], &mut out).unwrap();
     assert_eq!(out.len(), 3 * 2 * 32 * 32 * 4);
     for (scales, images) in candidates.iter().zip(out.chunks_exact(2 * 32 * 32 * 4)) {
         let scaled: Vec<_> = positions.iter().map(|&p| p * *scales).collect();
         assert!(images == render_positions(Backend::Cpu, &scaled, &triangles, &views, 32).unwrap());
     }
     // Buffers are reused: fewer and smaller shapes leave nothing behind.
-    renderer.render(&[vec![candidates[1]]], &mut out).unwrap();
+    renderer.render(&[vec![candidates[1]]], &[0, 1], &mut out).unwrap();
     let scaled: Vec<_> = positions.iter().map(|&p| p * candidates[1]).collect();
     assert!(out == render_positions(Backend::Cpu, &scaled, &triangles, &views, 32).unwrap());
+}
+
+#[test]
+fn only_the_views_asked_for_are_drawn_in_the_order_given() {
+    let (positions, triangles) = bumpy_ball(20);
+    let field = Arc::new(wavy_field(positions, 1));
+    let views = views_by_name("paper").unwrap();
+    let renderer = open(Backend::Cpu, field, triangles.into(), &views, 32).unwrap();
+    let candidates = [vec![Vec3::ONE], vec![Vec3::new(0.5, 1.0, 2.0)]];
+    let draw = |views: &[usize]| {
+        let mut out = Vec::new();
+        renderer.render(&candidates, views, &mut out).unwrap();
+        out
+    };
+    let (all, some) = (draw(&[0, 1, 2, 3]), draw(&[2, 0]));
+    let image =
+        |images: usize, index: usize| images + index * 32 * 32 * 4..images + (index + 1) * 32 * 32 * 4;
+    for candidate in 0..2 {
+        let (of_all, of_some) = (all.len() / 2 * candidate, some.len() / 2 * candidate);
+        assert!(some[image(of_some, 0)] == all[image(of_all, 2)]);
+        assert!(some[image(of_some, 1)] == all[image(of_all, 0)]);
+    }
+    assert!(draw(&[]).is_empty());
 }
 
 #[test]
@@ -286,9 +309,9 @@ fn one_thread_and_two_draw_the_same_bytes() {
     let draw = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let views = views_by_name("paper").unwrap();
-        let mut renderer = open(Backend::Cpu, field.clone(), triangles.clone().into(), &views, 48).unwrap();
+        let renderer = open(Backend::Cpu, field.clone(), triangles.clone().into(), &views, 48).unwrap();
         let mut out = Vec::new();
-        pool.install(|| renderer.render(&candidates, &mut out)).unwrap();
+        pool.install(|| renderer.render(&candidates, &[0, 1, 2, 3], &mut out)).unwrap();
         out
     };
     let one = draw(1);
@@ -353,10 +376,10 @@ fn what_cannot_be_drawn_is_said_in_a_sentence() {
     assert_eq!("gpu".parse(), Ok(Backend::Gpu));
 
     let field = Arc::new(wavy_field(positions, 2));
-    let mut renderer = open(Backend::Cpu, field, triangles.into(), &[FRONT], 16).unwrap();
+    let renderer = open(Backend::Cpu, field, triangles.into(), &[FRONT], 16).unwrap();
     let good = vec![Vec3::ONE; 2];
-    let short = renderer.render(&[good.clone(), vec![Vec3::ONE]], &mut Vec::new());
+    let short = renderer.render(&[good.clone(), vec![Vec3::ONE]], &[0], &mut Vec::new());
     assert_eq!(short, Err(RenderError::ScaleRows { candidate: 1, expected: 2, got: 1 }));
-    let broken = renderer.render(&[good.clone(), good, vec![Vec3::NAN; 2]], &mut Vec::new());
+    let broken = renderer.render(&[good.clone(), good, vec![Vec3::NAN; 2]], &[0], &mut Vec::new());
     assert_eq!(broken, Err(RenderError::NonFinite { candidate: 2 }));
 }

@@ -10,6 +10,9 @@ use std::sync::Arc;
 
 const ROWS: usize = 3;
 
+/// All of them.
+const VIEWS: [usize; 4] = [0, 1, 2, 3];
+
 fn renderer((positions, triangles): Shape, backend: Backend, size: u32) -> Option<Box<dyn Renderer>> {
     let field = Arc::new(wavy_field(positions, ROWS));
     match open(backend, field, triangles.into(), &views_by_name("paper").unwrap(), size) {
@@ -47,13 +50,13 @@ fn scene() -> Shape {
 #[test]
 fn both_backends_draw_the_same_images() {
     for size in [33, 64, 224] {
-        let Some(mut gpu) = renderer(scene(), Backend::Gpu, size) else { return };
+        let Some(gpu) = renderer(scene(), Backend::Gpu, size) else { return };
         assert!(gpu.backend_name().starts_with("gpu: "), "{}", gpu.backend_name());
-        let mut cpu = renderer(scene(), Backend::Cpu, size).unwrap();
+        let cpu = renderer(scene(), Backend::Cpu, size).unwrap();
         let candidates = candidates(3);
         let (mut ours, mut theirs) = (Vec::new(), Vec::new());
-        cpu.render(&candidates, &mut ours).unwrap();
-        gpu.render(&candidates, &mut theirs).unwrap();
+        cpu.render(&candidates, &VIEWS, &mut ours).unwrap();
+        gpu.render(&candidates, &VIEWS, &mut theirs).unwrap();
         assert_eq!(ours.len(), theirs.len());
         assert!(ours.chunks_exact(4).filter(|pixel| pixel[3] == 255).count() > 12 * size as usize);
         for background in BACKGROUNDS {
@@ -80,44 +83,60 @@ fn both_backends_draw_the_same_images() {
 #[test]
 fn a_call_of_many_candidates_draws_each_as_a_call_of_its_own() {
     let ball = || bumpy_ball(12);
-    let Some(mut gpu) = renderer(ball(), Backend::Gpu, 500) else { return };
+    let Some(gpu) = renderer(ball(), Backend::Gpu, 500) else { return };
     // 24 tiles of 1000 samples a side are more than one atlas holds.
     let candidates = candidates(6);
     let mut all = Vec::new();
-    gpu.render(&candidates, &mut all).unwrap();
+    gpu.render(&candidates, &VIEWS, &mut all).unwrap();
     let mut one = Vec::new();
     for (candidate, images) in candidates.iter().zip(all.chunks_exact(all.len() / 6)) {
-        gpu.render(std::slice::from_ref(candidate), &mut one).unwrap();
+        gpu.render(std::slice::from_ref(candidate), &VIEWS, &mut one).unwrap();
         let different = one.iter().zip(images).filter(|(a, b)| a.abs_diff(**b) > 2).count();
         // Where a tile lies in the atlas moves a vertex by less than a rounding.
         assert!(different * 1000 <= images.len(), "{different} of {} bytes", images.len());
     }
-    gpu.render(&[], &mut all).unwrap();
+    gpu.render(&[], &VIEWS, &mut all).unwrap();
     assert!(all.is_empty());
 }
 
 #[test]
+fn only_the_views_asked_for_are_drawn_in_the_order_given() {
+    let Some(gpu) = renderer(scene(), Backend::Gpu, 64) else { return };
+    let candidates = candidates(2);
+    let (mut some, mut all) = (Vec::new(), Vec::new());
+    gpu.render(&candidates, &[2, 0], &mut some).unwrap();
+    gpu.render(&candidates, &VIEWS, &mut all).unwrap();
+    let (some, all): (Vec<_>, Vec<_>) =
+        (some.chunks_exact(64 * 64 * 4).collect(), all.chunks_exact(64 * 64 * 4).collect());
+    for (drawn, asked) in some.iter().zip([2, 0, 6, 4]) {
+        let different = drawn.iter().zip(all[asked]).filter(|(a, b)| a.abs_diff(**b) > 2).count();
+        assert!(different * 1000 <= drawn.len(), "{different} of {} bytes", drawn.len());
+    }
+    assert_eq!(some.len(), 4);
+}
+
+#[test]
 fn the_same_call_gives_the_same_bytes() {
-    let Some(mut gpu) = renderer(scene(), Backend::Gpu, 64) else { return };
+    let Some(gpu) = renderer(scene(), Backend::Gpu, 64) else { return };
     let candidates = candidates(4);
     let (mut first, mut second) = (Vec::new(), Vec::new());
-    gpu.render(&candidates, &mut first).unwrap();
-    gpu.render(&candidates, &mut second).unwrap();
+    gpu.render(&candidates, &VIEWS, &mut first).unwrap();
+    gpu.render(&candidates, &VIEWS, &mut second).unwrap();
     assert!(first == second);
 }
 
 #[test]
 fn positions_that_are_not_finite_are_an_error_and_the_renderer_lives_on() {
-    let Some(mut gpu) = renderer(scene(), Backend::Gpu, 64) else { return };
+    let Some(gpu) = renderer(scene(), Backend::Gpu, 64) else { return };
     let good = candidates(3);
     let (mut before, mut after) = (Vec::new(), Vec::new());
-    gpu.render(&good, &mut before).unwrap();
+    gpu.render(&good, &VIEWS, &mut before).unwrap();
     for bad in [f32::NAN, f32::INFINITY] {
         let mut broken = good.clone();
         broken[1][0].x = bad;
-        assert_eq!(gpu.render(&broken, &mut after), Err(RenderError::NonFinite { candidate: 1 }));
+        assert_eq!(gpu.render(&broken, &VIEWS, &mut after), Err(RenderError::NonFinite { candidate: 1 }));
     }
-    gpu.render(&good, &mut after).unwrap();
+    gpu.render(&good, &VIEWS, &mut after).unwrap();
     assert!(before == after);
 }
 

@@ -14,6 +14,7 @@ mod layout;
 mod network;
 mod onnx;
 mod preprocess;
+mod prologue;
 mod provider;
 mod quantize;
 mod runtime;
@@ -37,8 +38,12 @@ use preprocess::Preprocess;
 use suggest::Vocabulary;
 use text::Text;
 
-/// Images encoded in one run of the network. Fixed, so that no result depends on the number of threads.
+/// RGB images encoded in one run of the network. Fixed, so that no result depends on the number of threads.
 const IMAGE_BATCH: usize = 12;
+
+/// Images that keep the processor, and a graphics card, busy in one run of the network; more gain nothing.
+const ENOUGH: usize = 4;
+const ENOUGH_ON_CARD: usize = 144;
 
 /// Longest prompt taken, in characters: guides read some tens of words at most.
 const MAX_PROMPT: usize = 1000;
@@ -125,7 +130,9 @@ impl Guide {
         check_images(&files.vision, preprocess.size)?;
         let text = Text::new(files)?;
         check_vocabulary(&files.text, text.vocabulary_size())?;
-        let vision = Encoder::open(&environment, &files.vision, provider, sessions, intra)?;
+        let network = prologue::extend(&files.vision, preprocess.size)?;
+        let vision = Encoder::open(&environment, &network, provider, sessions, intra)?;
+        drop(network);
         // One prompt a search: not worth another device's start.
         let text_encoder = Encoder::open(&environment, &files.text, Provider::Cpu, 1, intra)?;
         let mut guide = Self {
@@ -225,13 +232,33 @@ impl Guide {
             return Err(GuideError::ImageBytes { size: self.preprocess.size, bytes: images.len() });
         }
         let mut all = self.vision.encode_images(images, &self.preprocess, IMAGE_BATCH)?;
-        let count = images.len() / image_bytes;
-        if count > 0 {
-            for embedding in all.chunks_exact_mut(self.dimension.max(1)) {
-                normalise(embedding)?;
-            }
-        }
+        normalise_each(&mut all, self.dimension)?;
         Ok(all)
+    }
+
+    /// Unit embeddings of rendered views before backgrounds, in one run of the network: `embeddings` becomes
+    /// `views × per_view × dimension` numbers.
+    ///
+    /// `views` are RGBA8 with premultiplied alpha, count × size × size × 4. Each is seen before the next `per_view`
+    /// of the `backgrounds`, which begin again when they are used up.
+    ///
+    /// # Panics
+    /// If `views` are no whole number of images.
+    pub fn view_embeddings(
+        &self,
+        views: &[u8],
+        backgrounds: &[[u8; 3]],
+        per_view: usize,
+        embeddings: &mut Vec<f32>,
+    ) -> Result<(), GuideError> {
+        self.vision.encode_views(views, backgrounds, per_view, &self.preprocess, embeddings)?;
+        normalise_each(embeddings, self.dimension)
+    }
+
+    /// Images that one run of the network should have at least.
+    #[must_use]
+    pub fn images_a_run(&self) -> usize {
+        if self.provider == Provider::Cpu { ENOUGH } else { ENOUGH_ON_CARD }
     }
 
     /// The words of `text` that the guide has never seen; none for a guide that spells words out.
@@ -328,6 +355,10 @@ fn check_prompt(prompt: &str) -> Result<(), GuideError> {
         return Err(GuideError::LongPrompt { length, most: MAX_PROMPT });
     }
     Ok(())
+}
+
+fn normalise_each(embeddings: &mut [f32], dimension: usize) -> Result<(), GuideError> {
+    embeddings.chunks_exact_mut(dimension.max(1)).try_for_each(normalise)
 }
 
 fn normalise(embedding: &mut [f32]) -> Result<(), GuideError> {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! Image bytes to network input, as `preprocessor_config.json` says.
+//! What a network wants its pixels to be, as `preprocessor_config.json` says.
 
 use serde_json::Value;
 
@@ -7,11 +7,13 @@ use super::GuideError;
 
 const FILE: &str = "preprocessor_config.json";
 
-/// Image size and the value that each byte becomes in each channel.
+/// Image size, and how bytes become a network's numbers: `(byte × scale − mean) / std` in each channel.
 #[derive(Debug)]
 pub struct Preprocess {
     pub size: u32,
-    table: [[f32; 256]; 3],
+    scale: f64,
+    mean: [f64; 3],
+    std: [f64; 3],
 }
 
 impl Preprocess {
@@ -40,20 +42,22 @@ impl Preprocess {
         if std.iter().any(|s| *s <= 0.0) {
             return Err(bad("image_std is not positive"));
         }
-        let table = std::array::from_fn(|channel| {
-            std::array::from_fn(|byte| ((byte as f64 * scale - mean[channel]) / std[channel]) as f32)
-        });
-        Ok(Self { size: size[0] as u32, table })
+        Ok(Self { size: size[0] as u32, scale, mean, std })
     }
 
-    /// Converts RGB images (`k × size × size × 3` bytes) into `k × 3 × size × size` numbers.
-    pub fn apply(&self, images: &[u8], out: &mut Vec<f32>) {
-        let plane = (self.size as usize).pow(2);
-        out.clear();
-        out.reserve(images.len());
-        for image in images.chunks_exact(3 * plane) {
-            for (channel, table) in self.table.iter().enumerate() {
-                out.extend(image.iter().skip(channel).step_by(3).map(|byte| table[usize::from(*byte)]));
+    /// What [`super::prologue`] takes to put premultiplied RGBA before each of the `backgrounds`: 3 × 4 and 3 × 1
+    /// numbers a background.
+    pub fn mix(&self, backgrounds: impl Iterator<Item = [u8; 3]>, mix: &mut Vec<f32>, base: &mut Vec<f32>) {
+        mix.clear();
+        base.clear();
+        for background in backgrounds {
+            for (channel, byte) in background.into_iter().enumerate() {
+                let (behind, std) = (f64::from(byte) * self.scale, self.std[channel]);
+                let mut row = [0.0; 4];
+                row[channel] = (self.scale / std) as f32;
+                row[3] = (-behind / 255.0 / std) as f32;
+                mix.extend(row);
+                base.push(((behind - self.mean[channel]) / std) as f32);
             }
         }
     }

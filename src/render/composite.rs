@@ -4,6 +4,17 @@
 /// The backgrounds of the reference protocol: black, white, orange.
 pub const BACKGROUNDS: [[u8; 3]; 3] = [[0, 0, 0], [255, 255, 255], [255, 128, 0]];
 
+/// Turns straight alpha of RGBA8 pixels into premultiplied alpha, each channel rounded to nearest: the pixels before
+/// black, with their alpha.
+pub fn premultiply(rgba: &mut [u8]) {
+    for pixel in rgba.as_chunks_mut::<4>().0.iter_mut().filter(|pixel| pixel[3] < 255) {
+        let alpha = u32::from(pixel[3]);
+        for channel in &mut pixel[..3] {
+            *channel = ((u32::from(*channel) * alpha + 127) / 255) as u8;
+        }
+    }
+}
+
 /// Lays RGBA8 pixels with straight alpha over `background`, as RGB8 pixels into `out_rgb`.
 ///
 /// Each channel is `(c·α + b·(255 − α) + 127) / 255` in integers: the nearest value, the same everywhere.

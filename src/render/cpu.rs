@@ -7,22 +7,9 @@ use super::raster::{Raster, triangle};
 use super::shading::Shader;
 use super::{RenderError, Renderer, Scene};
 use crate::boxdef::DeformField;
+use crate::spare::Spare;
 use glam::Vec3;
 use rayon::prelude::*;
-use std::sync::{Mutex, PoisonError};
-
-/// Buffers that workers take and give back.
-#[derive(Debug, Default)]
-struct Pool<T>(Mutex<Vec<T>>);
-
-impl<T: Default> Pool<T> {
-    fn with<R>(&self, work: impl FnOnce(&mut T) -> R) -> R {
-        let mut item = self.0.lock().unwrap_or_else(PoisonError::into_inner).pop().unwrap_or_default();
-        let result = work(&mut item);
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(item);
-        result
-    }
-}
 
 /// Renders on the CPU's cores, within the current `rayon` pool.
 pub(super) struct CpuRenderer {
@@ -30,14 +17,14 @@ pub(super) struct CpuRenderer {
     /// Red, green and blue of each triangle, 0 to 1; `None` draws grey.
     colors: Option<Vec<[f32; 3]>>,
     cameras: Vec<Camera>,
-    positions: Pool<Vec<Vec3>>,
-    rasters: Pool<Raster>,
+    positions: Spare<Vec<Vec3>>,
+    rasters: Spare<Raster>,
 }
 
 impl CpuRenderer {
     pub fn new(scene: Scene) -> Self {
         let cameras = scene.views.iter().map(|&view| Camera::new(view)).collect();
-        Self { scene, colors: None, cameras, positions: Pool::default(), rasters: Pool::default() }
+        Self { scene, colors: None, cameras, positions: Spare::default(), rasters: Spare::default() }
     }
 
     /// Draws each triangle in its color, lighter or darker by the light on it.
@@ -50,15 +37,21 @@ impl CpuRenderer {
         Ok(Self { colors: Some(colors), ..Self::new(scene) })
     }
 
-    fn candidate(&self, index: usize, scales: &[Vec3], out: &mut [u8]) -> Result<(), RenderError> {
+    fn candidate(
+        &self,
+        index: usize,
+        scales: &[Vec3],
+        views: &[usize],
+        out: &mut [u8],
+    ) -> Result<(), RenderError> {
         self.positions.with(|positions| {
             let field: &DeformField = &self.scene.field;
             positions.resize(field.vertex_count(), Vec3::ZERO);
             field.deform_into(scales, positions);
             let frame =
                 Frame::of(positions, &self.scene.used).ok_or(RenderError::NonFinite { candidate: index })?;
-            let tile = out.len() / self.cameras.len();
-            out.par_chunks_exact_mut(tile).zip(&self.cameras).for_each(|(image, camera)| {
+            out.par_chunks_exact_mut(self.scene.image_bytes()).zip(views).for_each(|(image, &view)| {
+                let camera = &self.cameras[view];
                 self.rasters.with(|raster| self.view(raster, camera, frame, positions, image));
             });
             Ok(())
@@ -126,22 +119,33 @@ impl Renderer for CpuRenderer {
         self.scene.size
     }
 
+    fn draws_generations(&self) -> bool {
+        false
+    }
+
     fn backend_name(&self) -> String {
         "cpu".to_owned()
     }
 
-    fn render(&mut self, candidates: &[Vec<Vec3>], out: &mut Vec<u8>) -> Result<(), RenderError> {
+    fn render(
+        &self,
+        candidates: &[Vec<Vec3>],
+        views: &[usize],
+        out: &mut Vec<u8>,
+    ) -> Result<(), RenderError> {
         self.scene.check(candidates)?;
-        let bytes = self.scene.candidate_bytes();
+        let bytes = views.len() * self.scene.image_bytes();
         out.resize(candidates.len() * bytes, 0);
-        let this = &*self;
-        // Collected in order, so that of several errors the first candidate's is told.
-        let results: Vec<_> = out
+        if bytes == 0 {
+            return Ok(());
+        }
+        // Of several errors the first candidate's is told.
+        let error = out
             .par_chunks_exact_mut(bytes)
             .zip(candidates)
             .enumerate()
-            .map(|(index, (images, scales))| this.candidate(index, scales, images))
-            .collect();
-        results.into_iter().collect()
+            .filter_map(|(index, (images, scales))| self.candidate(index, scales, views, images).err())
+            .find_first(|_| true);
+        error.map_or(Ok(()), Err)
     }
 }

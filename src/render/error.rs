@@ -80,6 +80,15 @@ pub enum RenderError {
 }
 
 impl RenderError {
+    /// The same where candidates are counted from `first`.
+    #[must_use]
+    pub(crate) fn counted_from(mut self, first: usize) -> Self {
+        if let Self::NonFinite { candidate } | Self::ScaleRows { candidate, .. } = &mut self {
+            *candidate += first;
+        }
+        self
+    }
+
     /// True where the caller's input is wrong rather than the renderer.
     #[must_use]
     pub fn is_input(&self) -> bool {

@@ -16,7 +16,7 @@ mod scene;
 mod shading;
 
 pub use camera::{View, views_by_name};
-pub use composite::{BACKGROUNDS, composite};
+pub use composite::{BACKGROUNDS, composite, premultiply};
 pub use error::RenderError;
 
 use crate::boxdef::DeformField;
@@ -57,21 +57,30 @@ pub fn real_gpu() -> Option<&'static str> {
 }
 
 /// Draws candidates of one field from fixed views; keeps its buffers between calls.
-pub trait Renderer: Send {
-    /// Number of images a candidate.
+pub trait Renderer: Send + Sync {
+    /// Number of views it was opened with.
     fn views(&self) -> usize;
 
     /// Pixels along each side of an image.
     fn size(&self) -> u32;
 
+    /// Whether a whole generation is best drawn in one call, as on a GPU; elsewhere several threads may each draw
+    /// some of it.
+    fn draws_generations(&self) -> bool;
+
     /// What draws, for the report: `cpu`, or `gpu:` with the adapter's name and interface.
     fn backend_name(&self) -> String;
 
-    /// Renders `candidates`, each the factors of its field ([`DeformField`]), into `out`.
+    /// Renders `candidates`, each the factors of its field ([`DeformField`]), from those of its views that `views`
+    /// lists, into `out`. The others cost nothing.
     ///
-    /// `out` becomes RGBA8 with straight alpha: candidates × views × size × size × 4, rows from the top. On an
-    /// error its content is unspecified.
-    fn render(&mut self, candidates: &[Vec<Vec3>], out: &mut Vec<u8>) -> Result<(), RenderError>;
+    /// `out` becomes RGBA8 with straight alpha: candidates × views listed × size × size × 4, rows from the top. On
+    /// an error its content is unspecified. Several threads may render at once.
+    ///
+    /// # Panics
+    /// If it was not opened with one of the views.
+    fn render(&self, candidates: &[Vec<Vec3>], views: &[usize], out: &mut Vec<u8>)
+    -> Result<(), RenderError>;
 }
 
 /// A renderer for the candidates of `field`, whose vertices `triangles` connect.
@@ -111,10 +120,7 @@ pub fn render_positions(
 ) -> Result<Vec<u8>, RenderError> {
     let backend = if backend == Backend::Auto { Backend::Cpu } else { backend };
     let field = Arc::new(DeformField::new(positions.to_vec(), 0, Vec::new()));
-    let mut renderer = open(backend, field, triangles.into(), views, size)?;
-    let mut out = Vec::new();
-    renderer.render(&[Vec::new()], &mut out)?;
-    Ok(out)
+    shape_as_it_is(&*open(backend, field, triangles.into(), views, size)?)
 }
 
 /// Renders a shape as [`render_positions`] does, but each triangle in its color, lighter or darker by the light on
@@ -134,7 +140,13 @@ pub fn render_colored(
     }
     let field = Arc::new(DeformField::new(positions.to_vec(), 0, Vec::new()));
     let scene = Scene::new(field, triangles.into(), views, size)?;
+    shape_as_it_is(&cpu::CpuRenderer::colored(scene, colors)?)
+}
+
+/// All views of the only candidate of a field without parameters.
+fn shape_as_it_is(renderer: &dyn Renderer) -> Result<Vec<u8>, RenderError> {
+    let views: Vec<usize> = (0..renderer.views()).collect();
     let mut out = Vec::new();
-    cpu::CpuRenderer::colored(scene, colors)?.render(&[Vec::new()], &mut out)?;
+    renderer.render(&[Vec::new()], &views, &mut out)?;
     Ok(out)
 }

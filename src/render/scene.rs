@@ -47,9 +47,9 @@ impl Scene {
         Ok(Self { field, triangles, used, views: views.to_vec(), size })
     }
 
-    /// Bytes of the images of one candidate.
-    pub fn candidate_bytes(&self) -> usize {
-        self.views.len() * self.size as usize * self.size as usize * 4
+    /// Bytes of one image.
+    pub fn image_bytes(&self) -> usize {
+        self.size as usize * self.size as usize * 4
     }
 
     /// Whether each candidate has a row of factors per parameter row.

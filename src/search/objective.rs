@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use thiserror::Error;
 
@@ -13,6 +13,7 @@ use crate::boxdef::DeformField;
 use crate::guide::{Guide, GuideError};
 use crate::mesh::Mesh;
 use crate::render::{self, BACKGROUNDS, Backend, RenderError, Renderer, View};
+use crate::spare::Spare;
 
 /// Why candidates cannot be evaluated.
 #[derive(Debug, Error)]
@@ -26,7 +27,7 @@ pub enum ObjectiveError {
 }
 
 /// What one candidate is worth.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Evaluation {
     /// Mean cosine between its images and the prompt; higher is better.
     pub score: f64,
@@ -61,9 +62,43 @@ pub struct Objective<'a> {
     renderer: Box<dyn Renderer>,
     preset: &'a Preset,
     rest_normals: Vec<Vec3>,
-    rgba: Vec<u8>,
-    rgb: Vec<u8>,
+    /// The views of a generation, where all are drawn in one call.
+    drawn: Vec<u8>,
+    scratch: Spare<Scratch>,
+    evaluations: Vec<Evaluation>,
     images_encoded: usize,
+}
+
+/// Working memory of the candidates that share a run of the guide.
+#[derive(Debug, Default)]
+struct Scratch {
+    rgba: Vec<u8>,
+    embeddings: Vec<f32>,
+    positions: Vec<Vec3>,
+    normals: Vec<DVec3>,
+}
+
+/// The images of a candidate: each view before `per_view` of the backgrounds, one view after the other.
+struct Shots {
+    views: Vec<usize>,
+    backgrounds: Vec<[u8; 3]>,
+    per_view: usize,
+}
+
+impl Shots {
+    fn of(mut pairs: Vec<(usize, usize)>) -> Self {
+        pairs.sort_unstable();
+        let mut views: Vec<usize> = pairs.iter().map(|pair| pair.0).collect();
+        views.dedup();
+        let per_view = pairs.len() / views.len().max(1);
+        if pairs.chunk_by(|a, b| a.0 == b.0).any(|view| view.len() != per_view) {
+            // Drawn anew for each background; no plan of ours has this.
+            views = pairs.iter().map(|pair| pair.0).collect();
+        }
+        let per_view = pairs.len() / views.len().max(1);
+        let backgrounds = pairs.iter().map(|pair| BACKGROUNDS[pair.1]).collect();
+        Self { views, backgrounds, per_view }
+    }
 }
 
 impl<'a> Objective<'a> {
@@ -90,8 +125,9 @@ impl<'a> Objective<'a> {
             renderer,
             preset,
             rest_normals,
-            rgba: Vec::new(),
-            rgb: Vec::new(),
+            drawn: Vec::new(),
+            scratch: Spare::default(),
+            evaluations: Vec::new(),
             images_encoded: 0,
         })
     }
@@ -115,70 +151,102 @@ impl<'a> Objective<'a> {
     }
 
     /// Evaluates a generation: the factors of each candidate.
+    ///
+    /// The candidates of one run of the guide are a task of their own: while some are encoded others are drawn, and
+    /// what is drawn is encoded while it is still in the cache. Which candidates share a run depends on the plan
+    /// alone, so that no result depends on the number of threads.
     pub fn evaluate(
         &mut self,
         candidates: &[Vec<Vec3>],
         plan: ImagePlan,
-    ) -> Result<Vec<Evaluation>, ObjectiveError> {
-        self.renderer.render(candidates, &mut self.rgba)?;
-        let pairs = plan.pairs(self.renderer.views());
-        self.composite(&pairs);
-        let embeddings = self.guide.image_embeddings(&self.rgb)?;
-        self.images_encoded += candidates.len() * pairs.len();
-        let (mesh, field, rest) = (self.mesh, &*self.field, self.rest_normals.as_slice());
-        let (comparison, novelty) = (self.comparison, self.novelty.as_ref());
-        let measured: Vec<(f64, f64, f64)> = candidates
-            .par_iter()
-            .map(|factors| {
-                let positions = field.deform(factors);
-                let shortfall = comparison.map_or(0.0, |comparison| comparison.shortfall(&positions));
-                let distance = novelty.map_or(0.0, |n| n.distance(&n.sketch.draw(&positions)));
-                (normal_error(mesh, rest, &positions), shortfall, distance)
+    ) -> Result<&[Evaluation], ObjectiveError> {
+        let shots = Shots::of(plan.pairs(self.renderer.views()));
+        if self.renderer.draws_generations() {
+            self.renderer.render(candidates, &shots.views, &mut self.drawn)?;
+            render::premultiply(&mut self.drawn);
+        }
+        let images = shots.backgrounds.len();
+        let run = self.guide.images_a_run().div_ceil(images.max(1));
+        let mut evaluations = std::mem::take(&mut self.evaluations);
+        evaluations.resize(candidates.len(), Evaluation::default());
+        let this = &*self;
+        // Of several errors the first candidate's is told.
+        let error = evaluations
+            .par_chunks_mut(run)
+            .zip(candidates.par_chunks(run))
+            .enumerate()
+            .with_max_len(1)
+            .filter_map(|(number, (evaluations, candidates))| {
+                this.scratch
+                    .with(|scratch| this.evaluate_run(number * run, candidates, &shots, scratch, evaluations))
+                    .err()
             })
-            .collect();
-        let per_candidate = pairs.len() * self.target.dimension();
-        let appraisals = embeddings.chunks_exact(per_candidate).map(|images| self.target.appraise(images));
-        let Preset { rival_weight, comparison_weight, effort_weight, .. } = self.preset;
-        Ok(appraisals
-            .zip(measured)
-            .zip(candidates)
-            .map(|(((score, rivalry), (normal_error, shortfall, distance)), factors)| {
-                let (rivalry, shortfall) = (rival_weight * rivalry, comparison_weight * shortfall);
-                let bent = NORMAL_WEIGHT * normal_error;
-                let nearness = novelty.map_or(0.0, |n| n.cost(distance, score - rivalry - shortfall));
-                let uneven = effort_weight * effort(factors, field.scale_rows());
-                let loss = rivalry + shortfall - score + bent + uneven + nearness;
-                Evaluation { score, normal_error, rivalry, shortfall, nearness, loss }
-            })
-            .collect())
+            .find_first(|_| true);
+        self.evaluations = evaluations;
+        self.images_encoded += candidates.len() * images;
+        error.map_or(Ok(&self.evaluations), Err)
     }
 
-    /// Puts the views of every candidate before the backgrounds of `pairs`.
-    fn composite(&mut self, pairs: &[(usize, usize)]) {
-        let pixels = (self.renderer.size() as usize).pow(2);
-        let candidate_bytes = self.renderer.views() * pixels * 4;
-        let candidates = self.rgba.len() / candidate_bytes;
-        self.rgb.resize(candidates * pairs.len() * pixels * 3, 0);
-        self.rgb
-            .par_chunks_exact_mut(pairs.len() * pixels * 3)
-            .zip(self.rgba.par_chunks_exact(candidate_bytes))
-            .for_each(|(images, views)| {
-                for (image, &(view, background)) in images.chunks_exact_mut(pixels * 3).zip(pairs) {
-                    let rgba = &views[view * pixels * 4..(view + 1) * pixels * 4];
-                    render::composite(rgba, BACKGROUNDS[background], image);
-                }
-            });
+    /// Evaluates the candidates from number `first` on that share a run of the guide.
+    fn evaluate_run(
+        &self,
+        first: usize,
+        candidates: &[Vec<Vec3>],
+        shots: &Shots,
+        scratch: &mut Scratch,
+        evaluations: &mut [Evaluation],
+    ) -> Result<(), ObjectiveError> {
+        let Scratch { rgba, embeddings, positions, normals } = scratch;
+        let views = if self.renderer.draws_generations() {
+            let bytes = shots.views.len() * (self.renderer.size() as usize).pow(2) * 4;
+            &self.drawn[first * bytes..(first + candidates.len()) * bytes]
+        } else {
+            let drawn = self.renderer.render(candidates, &shots.views, rgba);
+            drawn.map_err(|error| error.counted_from(first))?;
+            render::premultiply(rgba);
+            rgba
+        };
+        self.guide.view_embeddings(views, &shots.backgrounds, shots.per_view, embeddings)?;
+        positions.resize(self.field.vertex_count(), Vec3::ZERO);
+        let images = embeddings.chunks_exact(shots.backgrounds.len() * self.target.dimension());
+        for ((factors, images), evaluation) in candidates.iter().zip(images).zip(evaluations) {
+            let (score, rivalry) = self.target.appraise(images);
+            self.field.deform_into(factors, positions);
+            *evaluation = self.weigh(factors, positions, normals, score, rivalry);
+        }
+        Ok(())
+    }
+
+    /// The evaluation of a candidate with these positions, score and rivalry; `normals` is working memory.
+    fn weigh(
+        &self,
+        factors: &[Vec3],
+        positions: &[Vec3],
+        normals: &mut Vec<DVec3>,
+        score: f64,
+        rivalry: f64,
+    ) -> Evaluation {
+        let Preset { rival_weight, comparison_weight, effort_weight, .. } = self.preset;
+        let shortfall = self.comparison.map_or(0.0, |comparison| comparison.shortfall(positions));
+        let (rivalry, shortfall) = (rival_weight * rivalry, comparison_weight * shortfall);
+        let nearness = self.novelty.as_ref().map_or(0.0, |novelty| {
+            let distance = novelty.distance(&novelty.sketch.draw(positions));
+            novelty.cost(distance, score - rivalry - shortfall)
+        });
+        let normal_error = normal_error(self.mesh.normals_at(positions, normals), &self.rest_normals);
+        let bent = NORMAL_WEIGHT * normal_error;
+        let uneven = effort_weight * effort(factors, self.field.scale_rows());
+        let loss = rivalry + shortfall - score + bent + uneven + nearness;
+        Evaluation { score, normal_error, rivalry, shortfall, nearness, loss }
     }
 }
 
-/// Mean of 1 − cos between vertex normals before and after (paper §3.1).
-fn normal_error(mesh: &Mesh, rest_normals: &[Vec3], positions: &[Vec3]) -> f64 {
-    let normals = mesh.vertex_normals(positions);
+/// Mean of 1 − cos between vertex normals and those before (paper §3.1).
+fn normal_error(normals: impl Iterator<Item = Vec3>, rest_normals: &[Vec3]) -> f64 {
     // A vertex without a normal (its faces collapsed) counts as turned by a right angle.
-    let cosine = |(a, b): (&Vec3, &Vec3)| if a.is_finite() { f64::from(a.dot(*b)) } else { 0.0 };
-    let total: f64 =
-        normals.iter().zip(rest_normals).filter(|(_, b)| b.is_finite()).map(|n| 1.0 - cosine(n)).sum();
-    total / normals.len() as f64
+    let cosine = |(a, b): (Vec3, &Vec3)| if a.is_finite() { f64::from(a.dot(*b)) } else { 0.0 };
+    let pairs = normals.zip(rest_normals).filter(|(_, b)| b.is_finite());
+    pairs.map(|pair| 1.0 - cosine(pair)).sum::<f64>() / rest_normals.len() as f64
 }
 
 /// Variance of the logarithms of the scale factors, how unevenly the parts were scaled, and mean square of the

@@ -95,7 +95,7 @@ pub fn search<E: From<SearchError> + From<ObjectiveError>>(
             best_score: best.1,
             best_factors: &best.2,
             candidates: &candidates,
-            worth: &evaluations,
+            worth: evaluations,
         })?;
         if let Some(stop) = cma.stop_reason() {
             let (generations, evaluations) = (cma.generation(), cma.evaluations());

@@ -35,7 +35,6 @@ pub(super) struct SceneBuffers {
     pub basis: Buffer,
     pub triangles: Buffer,
     pub used: Buffer,
-    pub cameras: Buffer,
 }
 
 impl SceneBuffers {
@@ -46,17 +45,11 @@ impl SceneBuffers {
             let usage = BufferUsages::STORAGE;
             device.create_buffer_init(&BufferInitDescriptor { label: Some(label), contents, usage })
         };
-        let mut cameras = Vec::with_capacity(scene.views.len() * CAMERA_FLOATS);
-        for &view in &scene.views {
-            let Camera { right, up, back } = Camera::new(view);
-            cameras.extend([right, up, back].into_iter().flat_map(|axis| [axis.x, axis.y, axis.z, 0.0]));
-        }
         Self {
             rest: upload("rest", bytemuck::cast_slice(&flatten(scene.field.rest()))),
             basis: upload("basis", bytemuck::cast_slice(scene.field.basis())),
             triangles: upload("triangles", bytemuck::cast_slice(&scene.triangles)),
             used: upload("used", bytemuck::cast_slice(&scene.used)),
-            cameras: upload("cameras", bytemuck::cast_slice(&cameras)),
         }
     }
 
@@ -70,6 +63,13 @@ impl SceneBuffers {
     }
 }
 
+/// Cameras of the views that `chosen` lists, as `Camera` in `common.wgsl`.
+pub(super) fn cameras(scene: &Scene, chosen: &[usize]) -> Vec<f32> {
+    let axes = chosen.iter().map(|&view| Camera::new(scene.views[view]));
+    let axes = axes.flat_map(|Camera { right, up, back }| [right, up, back]);
+    axes.flat_map(|axis| [axis.x, axis.y, axis.z, 0.0]).collect()
+}
+
 /// Vectors as numbers, three each.
 pub(super) fn flatten(vectors: &[Vec3]) -> Vec<f32> {
     vectors.iter().flat_map(Vec3::to_array).collect()
@@ -78,6 +78,8 @@ pub(super) fn flatten(vectors: &[Vec3]) -> Vec<f32> {
 /// The working memory of one submission under a plan.
 pub(super) struct Work {
     pub plan: Plan,
+    /// Of the views that are drawn.
+    pub cameras: Buffer,
     pub scales: Buffer,
     pub positions: Buffer,
     pub frames: Buffer,
@@ -116,11 +118,16 @@ impl Work {
             device.create_texture(&descriptor).create_view(&wgpu::TextureViewDescriptor::default())
         };
         let (storage, source) = (BufferUsages::STORAGE, BufferUsages::COPY_SRC);
-        let pixels = candidates * scene.candidate_bytes() as u64;
+        let pixels = candidates * (scene.views.len() * scene.image_bytes()) as u64;
         let frames = candidates * FRAME_BYTES;
         let scales = candidates * scene.field.parameter_rows() as u64 * 12;
         Self {
             plan,
+            cameras: buffer(
+                "cameras",
+                (scene.views.len() * CAMERA_FLOATS * 4) as u64,
+                storage | BufferUsages::COPY_DST,
+            ),
             scales: buffer("scales", scales, storage | BufferUsages::COPY_DST),
             positions: buffer("positions", candidates * scene.field.vertex_count() as u64 * 12, storage),
             frames: buffer("frames", frames, storage | source),

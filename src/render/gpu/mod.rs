@@ -14,13 +14,13 @@ pub(super) use device::real_gpu;
 
 use super::scene::Scene;
 use super::{RenderError, Renderer};
-use buffers::{Batch, FRAME_BYTES, SceneBuffers, Work, flatten};
+use buffers::{Batch, FRAME_BYTES, SceneBuffers, Work, cameras, flatten};
 use device::Gpu;
 use glam::Vec3;
 use pipelines::Pipelines;
 use plan::{Demand, Plan};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::mpsc;
+use std::sync::{Mutex, PoisonError, mpsc};
 use wgpu::util::DeviceExt;
 
 /// Renders on an adapter of `wgpu`.
@@ -30,7 +30,7 @@ pub(super) struct GpuRenderer {
     gpu: Gpu,
     pipelines: Pipelines,
     buffers: SceneBuffers,
-    work: Option<Work>,
+    work: Mutex<Option<Work>>,
 }
 
 /// Runs `work`, a panic of `wgpu` becoming an error: some failures of a driver leave it no other way.
@@ -47,7 +47,7 @@ impl GpuRenderer {
     pub fn new(scene: Scene) -> Result<Self, (RenderError, Scene)> {
         match guarded(|| Self::prepare(&scene)) {
             Ok((demand, gpu, pipelines, buffers)) => {
-                Ok(Self { scene, demand, gpu, pipelines, buffers, work: None })
+                Ok(Self { scene, demand, gpu, pipelines, buffers, work: Mutex::default() })
             }
             Err(error) => Err((error, scene)),
         }
@@ -76,17 +76,23 @@ impl GpuRenderer {
         Ok((demand, gpu, pipelines, buffers))
     }
 
-    /// Renders as many candidates as the working memory holds, into their images.
-    fn submit(&self, work: &Work, candidates: &[Vec<Vec3>], out: &mut [u8]) -> Result<(), RenderError> {
+    /// Renders as many candidates as the working memory holds, into their images; `views` is their number.
+    fn submit(
+        &self,
+        work: &Work,
+        candidates: &[Vec<Vec3>],
+        views: u32,
+        out: &mut [u8],
+    ) -> Result<(), RenderError> {
         let Gpu { device, queue, faults, .. } = &self.gpu;
         let count = candidates.len() as u32;
         let scales: Vec<f32> = candidates.iter().flat_map(|scales| flatten(scales)).collect();
         queue.write_buffer(&work.scales, 0, bytemuck::cast_slice(&scales));
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
 
-        let tiles = count * self.scene.views.len() as u32;
+        let tiles = count * views;
         for first_tile in (0..tiles).step_by(work.plan.tiles() as usize) {
-            let batch = self.batch(work, first_tile);
+            let batch = self.batch(work, views, first_tile);
             if first_tile == 0 {
                 self.deform_and_frame(&mut encoder, work, &batch, count);
             }
@@ -118,13 +124,13 @@ impl GpuRenderer {
         broken.map_or(Ok(()), |candidate| Err(RenderError::NonFinite { candidate }))
     }
 
-    fn batch(&self, work: &Work, first_tile: u32) -> wgpu::Buffer {
+    fn batch(&self, work: &Work, views: u32, first_tile: u32) -> wgpu::Buffer {
         let batch = Batch {
             vertices: self.scene.field.vertex_count() as u32,
             parameter_rows: self.scene.field.parameter_rows() as u32,
             used: self.scene.used.len() as u32,
             size: self.scene.size,
-            views: self.scene.views.len() as u32,
+            views,
             columns: work.plan.columns,
             rows: work.plan.rows,
             first_tile,
@@ -165,7 +171,7 @@ impl GpuRenderer {
         let Self { pipelines, buffers, .. } = self;
         let group = self.bind(
             &pipelines.draw.get_bind_group_layout(0),
-            &[batch, &work.positions, &buffers.triangles, &work.frames, &buffers.cameras],
+            &[batch, &work.positions, &buffers.triangles, &work.frames, &work.cameras],
         );
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -195,8 +201,7 @@ impl GpuRenderer {
     fn resolve(&self, encoder: &mut wgpu::CommandEncoder, work: &Work, batch: &wgpu::Buffer, tiles: u32) {
         let Self { pipelines, buffers, .. } = self;
         let layout = pipelines.resolve.get_bind_group_layout(0);
-        let mut entries =
-            entries(&[batch, &work.positions, &buffers.triangles, &work.frames, &buffers.cameras]);
+        let mut entries = entries(&[batch, &work.positions, &buffers.triangles, &work.frames, &work.cameras]);
         entries.push(wgpu::BindGroupEntry {
             binding: 5,
             resource: wgpu::BindingResource::TextureView(&work.numbers),
@@ -241,20 +246,31 @@ impl Renderer for GpuRenderer {
         self.scene.size
     }
 
+    fn draws_generations(&self) -> bool {
+        true
+    }
+
     fn backend_name(&self) -> String {
         self.gpu.name.clone()
     }
 
-    fn render(&mut self, candidates: &[Vec<Vec3>], out: &mut Vec<u8>) -> Result<(), RenderError> {
+    fn render(
+        &self,
+        candidates: &[Vec<Vec3>],
+        views: &[usize],
+        out: &mut Vec<u8>,
+    ) -> Result<(), RenderError> {
         self.scene.check(candidates)?;
         self.gpu.faults.check()?;
-        let bytes = self.scene.candidate_bytes();
+        let bytes = views.len() * self.scene.image_bytes();
         out.resize(candidates.len() * bytes, 0);
-        if candidates.is_empty() {
+        if out.is_empty() {
             return Ok(());
         }
+        // One call at a time: the working memory is the device's.
+        let mut shared = self.work.lock().unwrap_or_else(PoisonError::into_inner);
         let plan = Plan::new(self.demand, candidates.len())?;
-        let kept = self.work.take().filter(|work| work.plan.candidates >= plan.candidates);
+        let kept = shared.take().filter(|work| work.plan.candidates >= plan.candidates);
         let work = match kept {
             Some(work) => work,
             None => guarded(|| {
@@ -262,17 +278,15 @@ impl Renderer for GpuRenderer {
                 self.gpu.faults.check().map(|()| work)
             })?,
         };
+        let axes = cameras(&self.scene, views);
+        self.gpu.queue.write_buffer(&work.cameras, 0, bytemuck::cast_slice(&axes));
         let step = work.plan.candidates;
         for (index, (group, images)) in candidates.chunks(step).zip(out.chunks_mut(step * bytes)).enumerate()
         {
-            guarded(|| self.submit(&work, group, images)).map_err(|error| match error {
-                RenderError::NonFinite { candidate } => {
-                    RenderError::NonFinite { candidate: index * step + candidate }
-                }
-                other => other,
-            })?;
+            guarded(|| self.submit(&work, group, views.len() as u32, images))
+                .map_err(|error| error.counted_from(index * step))?;
         }
-        self.work = Some(work);
+        *shared = Some(work);
         Ok(())
     }
 }
