@@ -13,6 +13,9 @@ use std::ops::Range;
 const SUB_BITS: i32 = 8;
 const SUB: i32 = 1 << SUB_BITS;
 
+/// Lifts a nearness above all that rounding can make of it.
+const ABOVE_ROUNDING: f32 = 1.0 + 1e-4;
+
 /// A vertex on the screen: 1/256 samples right and down from the centre of the first sample.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Projected {
@@ -178,6 +181,14 @@ fn fill(
     [a, mut b, mut c]: [Projected; 3],
     index: u32,
 ) {
+    let is_single = x.len() == 1 && y.len() == 1;
+    if is_single {
+        // Half of a fine mesh lies behind what is drawn already, and shows it before any edge is looked at.
+        let most = a.nearness.max(b.nearness).max(c.nearness) * ABOVE_ROUNDING;
+        if u64::from(most.to_bits()) < keys[y.start * side + x.start] >> 32 {
+            return;
+        }
+    }
     let area = i64::from(b.x - a.x) * i64::from(c.y - a.y) - i64::from(c.x - a.x) * i64::from(b.y - a.y);
     if area == 0 {
         return;
@@ -190,7 +201,6 @@ fn fill(
     let mut row_starts = [0, 1, 2].map(|i: usize| edges[i].start + edges[i].bias);
     // The sign bit of the three is that of the least.
     let is_inside = |values: [i64; 3]| values[0] | values[1] | values[2] >= 0;
-    let is_single = x.len() == 1 && y.len() == 1;
     if is_single && !is_inside(row_starts) {
         return;
     }
