@@ -9,7 +9,7 @@ from bpy.props import BoolProperty, EnumProperty, StringProperty
 
 from ..core import guide_downloads, guides
 from ..core.guide_downloads import PRECISIONS
-from ..errors import Refusal, tells_refusals
+from ..errors import Refusal, tell, tells_refusals
 
 #: Blender keeps no reference to the texts of a list that is made while it asks.
 _listed = []
@@ -60,11 +60,13 @@ class BOXMORPH_OT_download_guide(_OfGuide, bpy.types.Operator):
             return True
         return False
 
-    @tells_refusals
     def invoke(self, context, _event):
         if self.resume:
-            return self._start()
-        title = guide_downloads.entry(self.guide)["title"]
+            return self.execute(context)
+        try:
+            title = guide_downloads.entry(self.guide)["title"]
+        except Refusal as refusal:
+            return tell(self, refusal)
         return context.window_manager.invoke_props_dialog(
             self, width=420, title=title, confirm_text=iface_("Download")
         )
@@ -94,9 +96,6 @@ class BOXMORPH_OT_download_guide(_OfGuide, bpy.types.Operator):
 
     @tells_refusals
     def execute(self, _context):
-        return self._start()
-
-    def _start(self):
         guide_downloads.start(self.guide, self.precision)
         if bpy.app.background:
             guide_downloads.choose(guide_downloads.wait())
@@ -152,10 +151,12 @@ class BOXMORPH_OT_remove_guide(_OfGuide, bpy.types.Operator):
             return False
         return True
 
-    @tells_refusals
     def invoke(self, context, event):
-        title = guide_downloads.entry(self.guide)["title"]
-        here = guide_downloads.presence(self.guide, self.precision)["bytes"]
+        try:
+            title = guide_downloads.entry(self.guide)["title"]
+            here = guide_downloads.presence(self.guide, self.precision)["bytes"]
+        except Refusal as refusal:
+            return tell(self, refusal)
         message = iface_("{title}, {precision}, {size}. It can be downloaded again")
         return context.window_manager.invoke_confirm(
             self,

@@ -166,6 +166,10 @@ impl Client {
         }
         let host = host(&address);
         let mut response = response.ok_or(HubError::Redirects { host: endpoint::host(&wanted.address) })?;
+        if response.status().as_u16() == 416 {
+            // The file ends before.
+            return Err(HubError::WrongHash { file: wanted.file.clone(), host });
+        }
         failure::of_status(response.status().as_u16(), response.headers(), &host, wanted)?;
         let begins = if response.status().as_u16() == 206 { first_byte(response.headers()) } else { Some(0) };
         let reason = "it sends another part of the file than was asked for";

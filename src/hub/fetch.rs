@@ -65,15 +65,13 @@ impl Fetch<'_> {
         }
         let went_on = part.metadata().is_ok_and(|meta| meta.len() > 0);
         let mut result = self.persist(|reached| self.run(announced, &part, reached));
-        let outdated = |result: &Result<(), HubError>| {
-            matches!(result, Err(HubError::WrongHash { .. } | HubError::Status { status: 416, .. }))
-        };
-        if went_on && outdated(&result) {
+        let damaged = |result: &Result<(), HubError>| matches!(result, Err(HubError::WrongHash { .. }));
+        if went_on && damaged(&result) {
             // What an earlier run left may be at fault.
             self.forget(&part)?;
             result = self.persist(|reached| self.run(announced, &part, reached));
         }
-        if outdated(&result) {
+        if damaged(&result) {
             self.forget(&part)?;
         }
         result?;
