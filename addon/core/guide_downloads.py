@@ -70,6 +70,17 @@ def presence(guide, precision):
     return known
 
 
+def is_running(guide, precision):
+    """Whether this is what is being downloaded."""
+    return state.download is not None and (state.guide, state.precision) == (guide, precision)
+
+
+def bytes_here(guide, precision):
+    """Return the bytes of a guide, or of a part of it, in the guides folder."""
+    there = presence(guide, precision)
+    return there["bytes"] if there["path"] is None else guides.size(there["path"])
+
+
 def online_refusal():
     """Return the Refusal that says why Blender allows no download, or None where it does."""
     if bpy.app.online_access:

@@ -4,7 +4,7 @@
 import bpy
 from bpy.app.translations import pgettext_iface as iface_
 
-from ..core import guide_downloads, guides
+from ..core import engine, guide_downloads, guides
 from ..core.guide_downloads import PRECISIONS
 from ..errors import Refusal
 from .lines import draw_lines
@@ -69,7 +69,7 @@ def _draw_entry(layout, entry):
         operator.precision = absent[0]
     column.label(text=iface_(entry["good_for"]), translate=False)
     for name, there in known.items():
-        if there["state"] != "absent":
+        if there["state"] != "absent" and not guide_downloads.is_running(entry["id"], name):
             _draw_present(column, entry["id"], name, there)
 
 
@@ -84,7 +84,8 @@ def _draw_present(layout, guide, precision, there):
         operator = row.operator("boxmorph.download_guide", text=text, icon="IMPORT", translate=False)
         operator.resume = True
     else:
-        operator = row.operator("boxmorph.use_guide", text="Use")
+        is_used = str(there["path"]) == engine.guide_folder()
+        operator = row.operator("boxmorph.use_guide", text="In Use" if is_used else "Use", depress=is_used)
     operator.guide, operator.precision = guide, precision
     if there["state"] != "cached":
         operator = row.operator("boxmorph.remove_guide", text="", icon="TRASH")

@@ -10,6 +10,7 @@ from bpy.props import BoolProperty, EnumProperty, StringProperty
 from ..core import guide_downloads, guides
 from ..core.guide_downloads import PRECISIONS
 from ..errors import Refusal, tell, tells_refusals
+from ..preferences import preferences
 
 #: Blender keeps no reference to the texts of a list that is made while it asks.
 _listed = []
@@ -74,6 +75,7 @@ class BOXMORPH_OT_download_guide(_OfGuide, bpy.types.Operator):
     def draw(self, _context):
         entry = guide_downloads.entry(self.guide)
         details = entry["precisions"][self.precision]
+        hub = preferences().hub_endpoint.strip() or iface_("on the hub")
         layout = self.layout
         layout.use_property_split = True
         layout.use_property_decorate = False
@@ -84,7 +86,7 @@ class BOXMORPH_OT_download_guide(_OfGuide, bpy.types.Operator):
         lines = [
             (iface_("Size: about {}").format(guides.megabytes(details["bytes"])), "DISK_DRIVE"),
             (iface_("Licence of its weights: {}").format(entry["licence"]), "TEXT"),
-            (iface_("From {} on the hub").format(entry["repository"]), "URL"),
+            (iface_("From {repository}, {hub}").format(repository=entry["repository"], hub=hub), "URL"),
             (iface_("Into {}").format(guides.root()), "FILE_FOLDER"),
         ]
         if not details["verified"]:
@@ -154,7 +156,7 @@ class BOXMORPH_OT_remove_guide(_OfGuide, bpy.types.Operator):
     def invoke(self, context, event):
         try:
             title = guide_downloads.entry(self.guide)["title"]
-            here = guide_downloads.presence(self.guide, self.precision)["bytes"]
+            here = guide_downloads.bytes_here(self.guide, self.precision)
         except Refusal as refusal:
             return tell(self, refusal)
         message = iface_("{title}, {precision}, {size}. It can be downloaded again")

@@ -963,7 +963,8 @@ MESSAGES = {
     ): "Wie genau die Zahlen des Leitmodells gespeichert sind",
     ("*", "Size: about {}"): "Größe: etwa {}",
     ("*", "Licence of its weights: {}"): "Lizenz der Gewichte: {}",
-    ("*", "From {} on the hub"): "Von {} auf dem Hub",
+    ("*", "From {repository}, {hub}"): "Von {repository}, {hub}",
+    ("*", "on the hub"): "auf dem Hub",
     ("*", "Into {}"): "Nach {}",
     ("*", "Unverified: we could not check the names of its files"): (
         "Ungeprüft: Die Namen seiner Dateien konnten wir nicht prüfen"
@@ -985,6 +986,7 @@ MESSAGES = {
         "Das Herunterladen anhalten. Was angekommen ist, bleibt, und das nächste Mal geht es dort weiter"
     ),
     ("Operator", "Use"): "Verwenden",
+    ("Operator", "In Use"): "In Verwendung",
     ("Operator", "Use Guide"): "Leitmodell verwenden",
     ("*", "Let this guide judge from now on"): "Von jetzt an dieses Leitmodell urteilen lassen",
     ("*", "Remove"): "Entfernen",

@@ -78,7 +78,17 @@ pub enum HubError {
         /// The host wanted.
         host: String,
     },
-    /// No connection, or one that broke off.
+    /// A connection that broke off.
+    #[error(
+        "the connection to {host} broke off ({reason}); check the network and try again: it goes on from where it is"
+    )]
+    Cut {
+        /// The host.
+        host: String,
+        /// What the system says.
+        reason: String,
+    },
+    /// No connection.
     #[error(
         "there is no connection to {host} ({reason}); check the network and try again: it goes on from where it is"
     )]
@@ -222,9 +232,11 @@ impl HubError {
     /// Whether trying again soon may help.
     pub(super) fn is_transient(&self) -> bool {
         match self {
-            Self::NoName { .. } | Self::NoConnection { .. } | Self::Timeout { .. } | Self::Server { .. } => {
-                true
-            }
+            Self::NoName { .. }
+            | Self::NoConnection { .. }
+            | Self::Cut { .. }
+            | Self::Timeout { .. }
+            | Self::Server { .. } => true,
             Self::TooMany { wait, .. } => *wait <= super::LONGEST_WAIT,
             _ => false,
         }

@@ -36,9 +36,9 @@ pub fn of_request(error: ureq::Error, host: &str, patience: Duration) -> HubErro
         ureq::Error::Tls(reason) => HubError::Tls { host, reason: reason.into() },
         ureq::Error::Rustls(error) => HubError::Tls { host, reason: error.to_string() },
         ureq::Error::ConnectionFailed => HubError::NoConnection { host, reason: "it is refused".into() },
-        // A connection that ends within the headers is cut, whatever was read until then.
+        // A connection that ends within the headers.
         error @ (ureq::Error::Protocol(_) | ureq::Error::BodyStalled) => {
-            HubError::NoConnection { host, reason: error.to_string() }
+            HubError::Cut { host, reason: error.to_string() }
         }
         error => HubError::Protocol { host, reason: error.to_string() },
     }
@@ -51,6 +51,10 @@ fn of_io(error: &io::Error, host: String, patience: Duration) -> HubError {
     }
     match error.kind() {
         ErrorKind::TimedOut | ErrorKind::WouldBlock => HubError::Timeout { host, after: patience },
+        ErrorKind::UnexpectedEof
+        | ErrorKind::ConnectionReset
+        | ErrorKind::ConnectionAborted
+        | ErrorKind::BrokenPipe => HubError::Cut { host, reason: error.to_string() },
         _ if is_no_name(error) => HubError::NoName { host },
         _ => HubError::NoConnection { host, reason: error.to_string() },
     }

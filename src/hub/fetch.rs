@@ -123,7 +123,7 @@ impl Fetch<'_> {
         }
         if here < announced.bytes {
             let reason = "it ended too early".into();
-            return Err(HubError::NoConnection { host: endpoint::host(&announced.wanted.address), reason });
+            return Err(HubError::Cut { host: endpoint::host(&announced.wanted.address), reason });
         }
         file.sync_all().map_err(failed)?;
         if hasher.finish() == announced.hash { Ok(()) } else { Err(self.wrong(announced)) }

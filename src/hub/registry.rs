@@ -9,7 +9,7 @@ use super::HubError;
 
 static REGISTRY: LazyLock<Registry> = LazyLock::new(|| {
     let text = include_str!("../../guides/registry.json");
-    serde_json::from_str(text).expect("guides/registry.json is sound: tests/hub.rs reads it")
+    serde_json::from_str(text).expect("guides/registry.json is sound: tests/python/test_guides.py reads it")
 });
 
 #[derive(Debug, Deserialize)]

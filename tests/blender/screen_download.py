@@ -12,62 +12,189 @@ import time
 from pathlib import Path
 
 from screen_drive import HEIGHT, WIDTH, Screen
-from screen_steps import OBJECT, PROMPT, find, open_sidebar, report, select, start_search, wait_for_end
+from screen_steps import OBJECT, PROMPT, find, open_sidebar, report, start_search, wait_for_end
 
 sys.path.insert(0, "/repo/tests/python")
 from hub_server import HubServer
 
 PACKAGE = "bl_ext.user_default.boxmorph"
-GUIDE = "clip-vit-base-patch32"
+GUIDE = "clip-vit-base-patch32-fp32"
 PREFS = f"bpy.context.preferences.addons['{PACKAGE}'].preferences"
 STATE = f"__import__('sys').modules['{PACKAGE}.core.guide_downloads'].state"
+
+#: Bytes after which the connection breaks off, of four million.
+CUT = 1_500_000
+
 #: Where the mouse is out of the way.
-AWAY = (WIDTH - 200, 12)
+AWAY = (WIDTH - 20, 150)
+
+_AREA = (
+    "w = bpy.context.window_manager.windows[0]\n"
+    "a = next(a for a in w.screen.areas if a.type == 'PREFERENCES')\n"
+    "r = next(r for r in a.regions if r.type == 'WINDOW')\n"
+)
+_FULL = (
+    f"{_AREA}with bpy.context.temp_override(window=w, area=a, region=r):\n"
+    "    bpy.ops.screen.screen_full_area(use_hide_panels=True)"
+)
 
 
 def open_preferences(screen):
-    """Show the extension's preferences in place of the viewport, over the whole window; return their rectangle
-    (x, top, width, height), y downwards.
+    """Show the extension's preferences over the whole window; return their rectangle (x, top, width, height),
+    y downwards.
     """
     screen.ask(
         "view()[1].type = 'PREFERENCES'\n"
         "bpy.context.preferences.active_section = 'ADDONS'\n"
         "bpy.context.window_manager.addon_search = 'Boxmorph'\n"
         f"bpy.ops.preferences.addon_expand(module='{PACKAGE}')\n"
-        "w = bpy.context.window_manager.windows[0]\n"
-        "a = next(a for a in w.screen.areas if a.type == 'PREFERENCES')\n"
-        "with bpy.context.temp_override(window=w, area=a, region=a.regions[-1]):\n"
-        "    bpy.ops.screen.screen_full_area(use_hide_panels=True)\n"
-        "value = True"
     )
+    screen.ask(_FULL)
     time.sleep(2.0)
-    x, y, width, height = screen.ask(
-        "[getattr(next(r for a in bpy.context.window_manager.windows[0].screen.areas if a.type == 'PREFERENCES' "
-        "for r in a.regions if r.type == 'WINDOW'), n) for n in ('x', 'y', 'width', 'height')]"
-    )
+    x, y, width, height = screen.ask(f"{_AREA}value = [r.x, r.y, r.width, r.height]")
     return x, HEIGHT - (y + height), width, height
 
 
 def close_preferences(screen):
     """Bring the viewport back."""
-    screen.ask(
-        "w = bpy.context.window_manager.windows[0]\n"
-        "a = next(a for a in w.screen.areas if a.type == 'PREFERENCES')\n"
-        "with bpy.context.temp_override(window=w, area=a, region=a.regions[-1]):\n"
-        "    bpy.ops.screen.screen_full_area(use_hide_panels=True)\n"
-        "value = True"
-    )
+    screen.ask(_FULL)
+    time.sleep(1.5)
+    screen.ask(f"{_AREA}a.type = 'VIEW_3D'")
+    time.sleep(1.5)
+
+
+def allow(screen, rectangle, hub, shots):
+    """Unfold the section; allow online access; name the server. Return the first guide's button."""
+    screen.shot(shots("1-folded"))
+    folder = find(screen, rectangle, "bpy.ops.boxmorph.open_guides_folder(", start=330, from_right=250)
+    screen.click(85, folder[1] + 29)
+    screen.wait(lambda: screen.ask(f"{PREFS}.show_downloads"), 10, "the section")
+    screen.move(*AWAY)
+    screen.shot(shots("2-offline"))
+    can = "bpy.ops.boxmorph.download_guide.poll()"
+    report(not screen.ask(can), "without online access nothing can be downloaded")
+    screen.click(401, folder[1] + 81)
+    report(screen.wait(lambda: screen.ask(can), 10, "online access"), "a click beside the reason allows it")
+    scroll_down(screen)
+    button = find(screen, rectangle, "bpy.ops.boxmorph.download_guide(", from_right=130)
+    screen.type_into(660, button[1] + 319, hub.url)
+    typed = screen.ask(f"{PREFS}.hub_endpoint")
+    report(typed == hub.url, "the address of a mirror is typed", typed)
+    screen.shot(shots("3-list"))
+    return button
+
+
+def scroll_down(screen):
+    """Show the end of the preferences."""
+    screen.move(WIDTH // 2, HEIGHT // 2)
+    for _ in range(25):
+        screen.press(5)
+    screen.move(*AWAY)
     time.sleep(1.0)
-    screen.ask(
-        "next(a for a in bpy.context.window_manager.windows[0].screen.areas if a.type == 'PREFERENCES').type = "
-        "'VIEW_3D'\nvalue = True"
-    )
+
+
+def download(screen, hub, button, shots):
+    """Begin a download on a line that breaks off for good."""
+    hub.rate, hub.cuts = 500_000, [CUT] + [0] * 20
+    screen.click(*button)
     time.sleep(1.0)
+    screen.shot(shots("4-dialog"))
+    report(hub.log == [], "size and licence are shown before anything is asked of the server", hub.log)
+    screen.key("Return")
+    here = f"{STATE}.progress.get('bytes', 0)"
+    screen.wait(lambda: screen.ask(here) > 600_000, 30, "the first bytes")
+    screen.move(*AWAY)
+    screen.shot(shots("5-downloading"))
+    screen.wait(lambda: screen.ask(f"{STATE}.progress.get('trouble')"), 30, "the cut")
+    screen.shot(shots("6-trying-again"))
+    sentence = screen.wait(lambda: screen.ask(f"str({STATE}.refusal or '')"), 60, "the end of the tries")
+    report("broke off" in sentence, "a line that stays cut is a sentence", sentence)
+    screen.shot(shots("7-cut"))
+    report(screen.ask(f"{PREFS}.guide") == "EMBEDDED", "what is half here is not offered as a guide")
+
+
+def resume(screen, rectangle, hub, shots):
+    """Go on after a restart of Blender; the guide is then chosen and open."""
+    hub.rate, hub.cuts = None, []
+    before = len(hub.log)
+    scroll_down(screen)
+    screen.shot(shots("8-restarted"))
+    button = find(screen, rectangle, "bpy.ops.boxmorph.download_guide(", from_right=240)
+    screen.click(*button)
+    screen.wait(lambda: screen.ask(f"{PREFS}.guide") == f"FOUND:{GUIDE}", 60, "the guide")
+    report(True, "after a restart, a click goes on, and the guide is chosen")
+    spans = {span for *_, span in hub.log[before:] if span}
+    report(spans == {f"bytes={CUT}-"}, "nothing is fetched twice", spans)
+    screen.move(*AWAY)
+    time.sleep(1.0)
+    screen.shot(shots("9-chosen"))
+
+
+def deform(screen, shots):
+    """Type a prompt and press the button, in the viewport's sidebar."""
+    screen.ask(
+        f"bpy.context.view_layer.objects.active = bpy.data.objects['{OBJECT}']\n"
+        "for o in bpy.data.objects: o.select_set(o == bpy.context.view_layer.objects.active)"
+    )
+    rectangle = open_sidebar(screen)
+    button = find(screen, rectangle, "bpy.ops.boxmorph.deform(")
+    screen.type_into(button[0], button[1] - 28, PROMPT)
+    start_search(screen, button)
+    wait_for_end(screen)
+    key = screen.ask(f"keys('{OBJECT}')").get(PROMPT)
+    report(key == 1.0, "it deforms the object", key)
+    records = (
+        f"list(__import__('sys').modules['{PACKAGE}.outcomes.shape_key']"
+        f".records(bpy.data.objects['{OBJECT}'].data).values())"
+    )
+    judge = screen.ask(f"{records}[0]['guide']['name']")
+    report(judge == GUIDE, "and is named in the outcome's record", judge)
+    screen.shot(shots("10-deformed"))
+
+
+def remove(screen, rectangle, shots):
+    """Take the guide away again."""
+    scroll_down(screen)
+    button = find(screen, rectangle, "bpy.ops.boxmorph.remove_guide(", from_right=39)
+    screen.click(*button)
+    time.sleep(1.0)
+    screen.shot(shots("11-remove"))
+    folder = f"__import__('os').path.isdir({PREFS}.guide_folder)"
+    report(screen.ask(folder), "removing asks first")
+    screen.key("Return")
+    screen.wait(lambda: screen.ask(f"{PREFS}.guide") == "EMBEDDED", 20, "the removal")
+    report(True, "then the embedded guide judges again")
 
 
 def main(folder, artifacts, suite):
-    print(folder, artifacts, suite, GUIDE, AWAY, OBJECT, PROMPT, find, open_sidebar, select, start_search)
-    print(HubServer, Path, Screen, report, wait_for_end)
+    def shots(step):
+        return f"{artifacts}/download-{suite}-{step}.png"
+
+    starts = [Path(folder, name) for name in ("first", "second")]
+    for start in starts:
+        start.mkdir()
+    with HubServer() as hub:
+        try:
+            with Screen(starts[0], [f"{folder}/chair.blend"]) as screen:
+                rectangle = open_preferences(screen)
+                button = allow(screen, rectangle, hub, shots)
+                download(screen, hub, button, shots)
+                report(screen.quit() == 0, "Blender is quit")
+            with Screen(starts[1], [f"{folder}/chair.blend"]) as screen:
+                rectangle = open_preferences(screen)
+                resume(screen, rectangle, hub, shots)
+                close_preferences(screen)
+                deform(screen, shots)
+                rectangle = open_preferences(screen)
+                remove(screen, rectangle, shots)
+                report(screen.quit() == 0, "quitting after it is clean")
+        except RuntimeError as error:
+            report(False, "the session goes on", error)
+            screen.shot(shots("failed"))
+    for start in starts:
+        log = start / "blender.log"
+        text = log.read_text(encoding="utf-8", errors="replace") if log.exists() else ""
+        report("Traceback" not in text and "Error" not in text, "Blender printed no error", text[-3000:])
 
 
 if __name__ == "__main__":

@@ -93,7 +93,7 @@ def test_the_timer_follows_the_download(prefs, hub):
         said.add(section.progress_text(downloads.state.progress))
         time.sleep(0.02)
     bpy.app.timers.unregister(downloads._tick)
-    assert "Asking the server" in said and any("of 4.0 MB" in text for text in said)
+    assert len([text for text in said if "of 4.0 MB" in text]) > 3
     assert downloads.state.download is None and prefs.guide == f"FOUND:{ID}-fp32"
 
 
