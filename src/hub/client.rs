@@ -152,20 +152,7 @@ impl Client {
         offset: u64,
         sender: &SyncSender<Result<Event, HubError>>,
     ) -> Result<(), HubError> {
-        let mut address = wanted.address.clone();
-        let mut response = None;
-        for _ in 0..=MOST_REDIRECTS {
-            let answer = self.hop(false, &address, (offset > 0).then_some(offset))?;
-            match next_address(&address, answer.status().as_u16(), answer.headers())? {
-                Some(next) => address = next,
-                None => {
-                    response = Some(answer);
-                    break;
-                }
-            }
-        }
-        let host = host(&address);
-        let mut response = response.ok_or(HubError::Redirects { host: endpoint::host(&wanted.address) })?;
+        let (mut response, host) = self.follow(wanted, offset)?;
         if response.status().as_u16() == 416 {
             // The file ends before.
             return Err(HubError::WrongHash { file: wanted.file.clone(), host });
@@ -190,6 +177,20 @@ impl Client {
                 return Ok(());
             }
         }
+    }
+
+    /// The answer to a request for a file from `offset` on, where all redirects end, and the host that gives it.
+    fn follow(&self, wanted: &Wanted, offset: u64) -> Result<(Response, String), HubError> {
+        let mut address = wanted.address.clone();
+        for _ in 0..=MOST_REDIRECTS {
+            let response = self.hop(false, &address, (offset > 0).then_some(offset))?;
+            let next = next_address(&address, response.status().as_u16(), response.headers())?;
+            let Some(next) = next else {
+                return Ok((response, host(&address)));
+            };
+            address = next;
+        }
+        Err(HubError::Redirects { host: host(&wanted.address) })
     }
 
     /// One request, without following where it leads to.

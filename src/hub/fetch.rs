@@ -80,7 +80,7 @@ impl Fetch<'_> {
 
     /// One try: hashes what is here, adds what is missing, and compares. `reached` is how far the file goes.
     fn run(&self, announced: &Announced, part: &Path, reached: &mut u64) -> Result<(), HubError> {
-        let failed = |error: std::io::Error| self.disk_error(part, announced.bytes, &error);
+        let failed = |error: std::io::Error| disk_error(part, announced.bytes, &error);
         let mut hasher = announced.hash.hasher(announced.bytes);
         let mut file = OpenOptions::new().create(true).read(true).append(true).open(part).map_err(failed)?;
         let mut here = file.metadata().map_err(failed)?.len();
@@ -115,7 +115,7 @@ impl Fetch<'_> {
                         *reached = here;
                         self.harness.count(bytes.len() as u64);
                         if is_more {
-                            return Err(self.wrong(announced));
+                            return Err(wrong(announced));
                         }
                     }
                 }
@@ -126,7 +126,7 @@ impl Fetch<'_> {
             return Err(HubError::Cut { host: endpoint::host(&announced.wanted.address), reason });
         }
         file.sync_all().map_err(failed)?;
-        if hasher.finish() == announced.hash { Ok(()) } else { Err(self.wrong(announced)) }
+        if hasher.finish() == announced.hash { Ok(()) } else { Err(wrong(announced)) }
     }
 
     fn read_through(&self, file: &mut File, hasher: &mut Hasher) -> std::io::Result<()> {
@@ -150,21 +150,6 @@ impl Fetch<'_> {
         remove_file(part)
     }
 
-    fn wrong(&self, announced: &Announced) -> HubError {
-        let host = endpoint::host(&announced.wanted.address);
-        HubError::WrongHash { file: announced.wanted.file.clone(), host }
-    }
-
-    fn disk_error(&self, part: &Path, bytes: u64, error: &std::io::Error) -> HubError {
-        if error.kind() != ErrorKind::StorageFull {
-            return HubError::folder(part, error);
-        }
-        let folder = part.parent().unwrap_or(part);
-        let free = fs4::available_space(folder).unwrap_or(0);
-        let here = part.metadata().map_or(0, |meta| meta.len());
-        HubError::NoSpace { folder: folder.display().to_string(), needed: bytes.saturating_sub(here), free }
-    }
-
     fn sleep(&self, pause: Duration) -> Result<(), HubError> {
         let until = Instant::now() + pause;
         while Instant::now() < until {
@@ -177,4 +162,19 @@ impl Fetch<'_> {
     fn is_going_on(&self) -> Result<(), HubError> {
         if self.harness.is_cancelled() { Err(HubError::Cancelled) } else { Ok(()) }
     }
+}
+
+fn wrong(announced: &Announced) -> HubError {
+    let host = endpoint::host(&announced.wanted.address);
+    HubError::WrongHash { file: announced.wanted.file.clone(), host }
+}
+
+fn disk_error(part: &Path, bytes: u64, error: &std::io::Error) -> HubError {
+    if error.kind() != ErrorKind::StorageFull {
+        return HubError::folder(part, error);
+    }
+    let folder = part.parent().unwrap_or(part);
+    let free = fs4::available_space(folder).unwrap_or(0);
+    let here = part.metadata().map_or(0, |meta| meta.len());
+    HubError::NoSpace { folder: folder.display().to_string(), needed: bytes.saturating_sub(here), free }
 }

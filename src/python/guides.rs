@@ -142,7 +142,7 @@ pub mod guides {
     fn seconds(value: f64, name: &str) -> PyResult<Duration> {
         Duration::try_from_secs_f64(value)
             .ok()
-            .filter(|duration| *duration <= Duration::from_secs(3600))
+            .filter(|duration| *duration <= Duration::from_hours(1))
             .ok_or_else(|| PyValueError::new_err(format!("{name} must be 0 to 3600 seconds")))
     }
 }
