@@ -39,17 +39,17 @@ _FULL = (
 )
 
 
-def open_preferences(screen):
+def open_preferences(screen, folded=True):
     """Show the extension's preferences over the whole window; return their rectangle (x, top, width, height),
-    y downwards.
+    y downwards. `folded` tells whether they are a line until they are opened.
     """
     screen.ask(
         "view()[1].type = 'PREFERENCES'\n"
         "bpy.context.preferences.active_section = 'ADDONS'\n"
         "bpy.context.window_manager.addon_search = 'Boxmorph'\n"
-        f"info = __import__('addon_utils').module_bl_info(__import__('sys').modules['{PACKAGE}'])\n"
-        f"if not info['show_expanded']: bpy.ops.preferences.addon_expand(module='{PACKAGE}')\n"
     )
+    if folded:
+        screen.ask(f"list(bpy.ops.preferences.addon_expand(module='{PACKAGE}'))")
     screen.ask(_FULL)
     time.sleep(2.0)
     x, y, width, height = screen.ask(f"{_AREA}value = [r.x, r.y, r.width, r.height]")
@@ -181,7 +181,7 @@ def second(screen, hub, shots):
     resume(screen, rectangle, hub, shots)
     close_preferences(screen)
     deform(screen, shots)
-    rectangle = open_preferences(screen)
+    rectangle = open_preferences(screen, folded=False)
     remove(screen, rectangle, shots)
 
 
