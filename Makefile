@@ -4,7 +4,7 @@
 PYTHON ?= python3.11
 VENV := .venv
 BIN := $(VENV)/bin
-WHEEL_SOURCES := Cargo.toml Cargo.lock pyproject.toml $(wildcard guides/mini/*) \
+WHEEL_SOURCES := Cargo.toml Cargo.lock pyproject.toml guides/registry.json $(wildcard guides/mini/*) \
 	$(shell find src python -name '*.rs' -o -name '*.wgsl' -o -name '*.py' -o -name '*.pyi')
 ADDON_SOURCES := scripts/build_extension.py $(shell find addon -type f -not -name '*.pyc')
 

@@ -8,9 +8,11 @@ import bpy
 
 from . import translations
 from .command_line import command
+from .core import guide_downloads
 from .interface import bug_report, outcome_panel, panels, preferences_editor, setting_presets
 from .operators import (
     guide_copy_operators,
+    guide_operators,
     mix_operators,
     outcome_operators,
     parts_operators,
@@ -31,6 +33,7 @@ _classes = (
     + mix_operators.classes
     + variation_operators.classes
     + parts_operators.classes
+    + guide_operators.classes
     + setting_presets.classes
     + bug_report.classes
     + panels.main_classes
@@ -55,6 +58,7 @@ def register():
 
 
 def unregister():
+    guide_downloads.stop()
     search_operators.unregister_operators()
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())

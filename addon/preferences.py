@@ -28,6 +28,7 @@ def preferences():
 class _Defaults:
     guide_folder = ""
     guides_folder = ""
+    hub_endpoint = ""
     runtime_library = ""
     provider = "auto"
     renderer = "auto"

@@ -12,6 +12,14 @@ def redraw_panels():
                 region.tag_redraw()
 
 
+def redraw_preferences():
+    """Ask for a redraw of the preferences in all windows."""
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == "PREFERENCES":
+                area.tag_redraw()
+
+
 def redraw_viewports():
     """Ask for a redraw of the 3D viewports in all windows, with their sidebars."""
     for area in _viewports():

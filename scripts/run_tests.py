@@ -90,7 +90,8 @@ def main() -> int:
         if provision.returncode:
             tally.leave_out(f"real {name}: its chroot ({suite}) could not be made")
             continue
-        for script in ("run_headless.py", "run_repository.py", "run_install.py", "run_screen.py"):
+        for ring in ("headless", "repository", "install", "download", "screen"):
+            script = f"run_{ring}.py"
             command = [sys.executable, f"tests/blender/{script}", str(CHROOTS / suite)]
             tally.run(f"Ring 3: {script} in real {name}", command)
     print("\n" + "".join(f"left out: {what}\n" for what in tally.left_out))

@@ -6,8 +6,11 @@
 //! ```text
 //! mesh → boxdef → render → guide → search → job
 //! ```
+//!
+//! `hub`, which brings guides to the disk, knows none of them and none knows it.
 pub mod boxdef;
 pub mod guide;
+pub mod hub;
 pub mod job;
 pub mod mesh;
 pub mod metrics;

@@ -9,7 +9,7 @@ import sys
 
 import bpy
 
-from ..core import engine, images
+from ..core import engine, guides, images
 from ..errors import Refusal
 from ..operators.properties import KEEP_SIZE, PRESETS, SPLITS, SYMMETRY
 from ..outcomes import evaluation, keyframes, take_apart
@@ -32,6 +32,12 @@ def add_to(commands):
     )
     deform.add_argument("--prompt", required=True, help="what the object should become")
     deform.add_argument("--object", metavar="NAME", help="the object to deform (default: the active one)")
+    deform.add_argument(
+        "--guide",
+        metavar="GUIDE",
+        help="who judges: “embedded”, a guide of the guides folder, or a folder (default: as in the "
+        "preferences; see guides)",
+    )
     deform.add_argument("--preset", choices=[item[0] for item in PRESETS], default="standard")
     deform.add_argument(
         "--seed", type=_seed, default=0, help="another seed gives another result (default: 0)"
@@ -107,6 +113,11 @@ def add_to(commands):
 
 
 def _deform(options):
+    with guides.chosen(options.guide):
+        return _deform_and_save(options)
+
+
+def _deform_and_save(options):
     source = opened_file()
     obj = named_object(options.object)
     prompt, _ = engine.checked_prompt(engine.open_guide(), options.prompt)

@@ -95,6 +95,12 @@ def open_guide(again=False):
     return guide
 
 
+def open_folder(folder):
+    """Return the guide in a folder, whatever the preferences name. Raises Refusal."""
+    prefs = preferences()
+    return _open(None, str(folder), prefs.runtime_library, prefs.threads, prefs.provider)
+
+
 def _open(guide, folder, _runtime_library, threads, provider):
     boxmorph = library()
     if folder is not None and not os.path.isdir(folder):

@@ -2,9 +2,11 @@
 """The folder of guides on the user's disk, and what lies in it."""
 
 import os
+from contextlib import contextmanager
 
 import bpy
 
+from ..errors import Refusal
 from ..preferences import PACKAGE, preferences
 
 #: Guides listed at most: the user may have named any folder.
@@ -49,3 +51,29 @@ def size(folder):
 def megabytes(count):
     """Return a number of bytes in words."""
     return f"{count / 1e6:.1f} MB" if count < 1e8 else f"{count / 1e6:.0f} MB"
+
+
+@contextmanager
+def chosen(name):
+    """Let another guide judge for a while: “embedded”, one of the guides folder by its name, or that in a
+    folder; None: the one of the preferences. Raises Refusal.
+    """
+    prefs = preferences()
+    before = prefs.guide_folder
+    if name is not None:
+        prefs.guide_folder = _named(name)
+    try:
+        yield
+    finally:
+        if name is not None:
+            prefs.guide_folder = before
+
+
+def _named(name):
+    if name == "embedded":
+        return ""
+    for folder in (os.path.join(root(), name), absolute(name)):
+        if os.path.isdir(folder):
+            return folder
+    known = ", ".join(["embedded", *map(os.path.basename, found())])
+    raise Refusal("There is no guide “{name}”. Choose {known}, or name a folder", name=name, known=known)

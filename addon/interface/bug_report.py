@@ -108,7 +108,15 @@ def _guide():
 
 def _preferences():
     prefs = preferences()
-    names = ("guide_folder", "guides_folder", "runtime_library", "provider", "renderer", "threads")
+    names = (
+        "guide_folder",
+        "guides_folder",
+        "hub_endpoint",
+        "runtime_library",
+        "provider",
+        "renderer",
+        "threads",
+    )
     lines = [f"{name}: {getattr(prefs, name)!r}" for name in names]
     return [
         *lines,

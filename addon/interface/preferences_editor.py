@@ -3,7 +3,6 @@
 
 import os
 import sys
-import textwrap
 from contextlib import suppress
 
 import bpy
@@ -16,6 +15,8 @@ from ..core import engine, guides
 from ..errors import Refusal, tells_refusals
 from ..preferences import PACKAGE, RENDERERS, preferences
 from ..sidebar import CONTEXT
+from . import guide_download
+from .lines import draw_lines
 
 #: Numbers of the choices of `guide` that are always there; the guides found are counted on from the last.
 _EMBEDDED, _FOLDER, _FIRST_FOUND = range(3)
@@ -115,6 +116,16 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
         "Name another to keep large guides on another disk",
         subtype="DIR_PATH",
     )
+    show_downloads: BoolProperty(
+        name="Get a Guide",
+        description="Show the guides that can be downloaded, for prompts that the embedded one does not know",
+        default=False,
+    )
+    hub_endpoint: StringProperty(
+        name="Hub Address",
+        description="Where guides are downloaded from: the address of a mirror of the Hugging Face hub. "
+        "Empty: the hub itself, or what the variable HF_ENDPOINT names",
+    )
     runtime_library: StringProperty(
         name="ONNX Runtime",
         description="A library of ONNX Runtime of your own, for a graphics card. Empty: the one inside the "
@@ -163,7 +174,9 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
         if self.guide == "FOLDER":
             box.prop(self, "guide_folder")
         draw_lines(box, guide_lines(iface_), letters)
-        box.operator("boxmorph.check_guide", icon="FILE_REFRESH")
+        row = box.row(align=True)
+        row.operator("boxmorph.check_guide", icon="FILE_REFRESH")
+        row.operator("boxmorph.quantize_guide", icon="MOD_DECIM")
         box.separator()
         box.prop(self, "guides_folder")
         found = guides.found()
@@ -173,6 +186,7 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
         row = box.row()
         row.label(text=kept.format(count=count, size=total))
         row.operator("boxmorph.open_guides_folder", icon="FOLDER_REDIRECT")
+        guide_download.draw(box, self, letters)
 
     def _draw_runtime(self, box, letters):
         box.label(text="What It Runs On", icon="MEMORY")
@@ -181,14 +195,6 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
         draw_lines(box, runtime_lines(iface_), letters)
         box.prop(self, "threads")
         box.prop(self, "renderer")
-
-
-def draw_lines(box, lines, letters):
-    """Draw lines with icons, broken after so many letters."""
-    column = box.column(align=True)
-    for line, icon in lines:
-        for number, piece in enumerate(textwrap.wrap(line, letters)):
-            column.label(text=piece, icon="BLANK1" if number else icon, translate=False)
 
 
 def guide_lines(say=str):

@@ -928,6 +928,123 @@ MESSAGES = {
     ("*", "The folder {folder} cannot be made ({reason}). Name another"): (
         "Der Ordner {folder} lässt sich nicht anlegen ({reason}). Einen anderen nennen"
     ),
+    # Guides from the hub.
+    ("*", "Get a Guide"): "Ein Leitmodell holen",
+    ("*", "Show the guides that can be downloaded, for prompts that the embedded one does not know"): (
+        "Die Leitmodelle zeigen, die sich herunterladen lassen, für Prompts, die das eingebaute nicht kennt"
+    ),
+    ("*", "Hub Address"): "Adresse des Hubs",
+    (
+        "*",
+        "Where guides are downloaded from: the address of a mirror of the Hugging Face hub. Empty: "
+        "the hub itself, or what the variable HF_ENDPOINT names",
+    ): (
+        "Von wo Leitmodelle heruntergeladen werden: die Adresse eines Spiegels des Hubs von Hugging Face. "
+        "Leer: der Hub selbst oder was die Variable HF_ENDPOINT nennt"
+    ),
+    ("*", "Allow Online Access"): "Onlinezugriff erlauben",
+    ("*", "Online access is off. Allow it in the preferences, under System, to download guides"): (
+        "Der Onlinezugriff ist aus. Ihn in den Einstellungen unter System erlauben, um Leitmodelle "
+        "herunterzuladen"
+    ),
+    ("*", "Blender was started offline. Start it with --online-mode to download guides"): (
+        "Blender wurde offline gestartet. Es mit --online-mode starten, um Leitmodelle herunterzuladen"
+    ),
+    ("*", "Blender does not allow online access. Start it with --online-mode"): (
+        "Blender erlaubt keinen Onlinezugriff. Es mit --online-mode starten"
+    ),
+    ("*", "{title}: {least} to {most}, {licence}"): "{title}: {least} bis {most}, {licence}",
+    ("*", "The paper's guide; the one to begin with"): "Das Leitmodell des Aufsatzes; für den Anfang",
+    ("*", "Finer detail than ViT-B/32, at four times its time"): (
+        "Feinere Einzelheiten als ViT-B/32, in vierfacher Zeit"
+    ),
+    ("*", "The best of CLIP; for a graphics card or patience"): (
+        "Das Beste von CLIP; für eine Grafikkarte oder Geduldige"
+    ),
+    ("*", "Tells objects apart better than CLIP of its size"): (
+        "Unterscheidet Gegenstände besser als ein CLIP seiner Größe"
+    ),
+    ("*", "Prompts in many languages"): "Prompts in vielen Sprachen",
+    ("*", "Smallest and fastest; a first try of any words on a laptop"): (
+        "Am kleinsten und schnellsten; um beliebige Wörter auf einem Laptop zu probieren"
+    ),
+    ("*", "Others report images that differ clearly from fp32's"): (
+        "Andere berichten von Bildern, die deutlich von denen in fp32 abweichen"
+    ),
+    ("*", "Full (fp32)"): "Voll (fp32)",
+    ("*", "As it was made. The fastest but int8 on a processor"): (
+        "Wie es gemacht wurde. Auf einem Prozessor nach int8 das schnellste"
+    ),
+    ("*", "Half (fp16)"): "Halb (fp16)",
+    ("*", "Half the size, practically the same scores; for graphics cards"): (
+        "Halb so groß, praktisch dieselben Bewertungen; für Grafikkarten"
+    ),
+    ("*", "Small (int8)"): "Klein (int8)",
+    ("*", "A quarter of the size, and the fastest on a processor; scores are coarser"): (
+        "Ein Viertel der Größe und auf einem Prozessor am schnellsten; die Bewertungen sind gröber"
+    ),
+    ("*", "Precision"): "Genauigkeit",
+    (
+        "*",
+        "How exactly the guide's numbers are kept",
+    ): "Wie genau die Zahlen des Leitmodells gespeichert sind",
+    ("*", "Size: about {}"): "Größe: etwa {}",
+    ("*", "Licence of its weights: {}"): "Lizenz der Gewichte: {}",
+    ("*", "From {repository}, {hub}"): "Von {repository}, {hub}",
+    ("*", "on the hub"): "auf dem Hub",
+    ("*", "Into {}"): "Nach {}",
+    ("*", "Unverified: we could not check the names of its files"): (
+        "Ungeprüft: Die Namen seiner Dateien konnten wir nicht prüfen"
+    ),
+    ("Operator", "Download"): "Herunterladen",
+    ("*", "Download"): "Herunterladen",
+    ("Operator", "Download Guide"): "Leitmodell herunterladen",
+    (
+        "*",
+        "Download this guide from the hub, after a look at its size and licence. What has come stays if "
+        "it is cancelled, and the next download goes on from there",
+    ): (
+        "Dieses Leitmodell vom Hub herunterladen, nach einem Blick auf Größe und Lizenz. Wird abgebrochen, "
+        "bleibt, was angekommen ist, und das nächste Mal geht es dort weiter"
+    ),
+    ("Operator", "Resume ({} % here)"): "Fortsetzen ({} % da)",
+    ("Operator", "Cancel Download"): "Herunterladen abbrechen",
+    ("*", "Stop the download. What has come is kept, and the next download goes on from there"): (
+        "Das Herunterladen anhalten. Was angekommen ist, bleibt, und das nächste Mal geht es dort weiter"
+    ),
+    ("Operator", "Use"): "Verwenden",
+    ("Operator", "In Use"): "In Verwendung",
+    ("Operator", "Use Guide"): "Leitmodell verwenden",
+    ("*", "Let this guide judge from now on"): "Von jetzt an dieses Leitmodell urteilen lassen",
+    ("*", "Remove"): "Entfernen",
+    ("Operator", "Remove Guide"): "Leitmodell entfernen",
+    ("*", "Delete this guide from the disk, or what an unfinished download of it has left"): (
+        "Dieses Leitmodell von der Festplatte löschen oder was von ihm angefangen dort liegt"
+    ),
+    ("*", "{title}, {precision}, {size}. It can be downloaded again"): (
+        "{title}, {precision}, {size}. Es lässt sich wieder herunterladen"
+    ),
+    ("*", "{name}: {here} of {total}"): "{name}: {here} von {total}",
+    ("*", "{name}: in the hub's cache"): "{name}: im Zwischenspeicher des Hubs",
+    ("*", "{name}: downloaded"): "{name}: heruntergeladen",
+    ("*", "{here} of {total}"): "{here} von {total}",
+    ("*", "Asking the server"): "Fragt den Server",
+    ("*", "Downloading"): "Lädt herunter",
+    ("*", "Checking what is here"): "Prüft, was da ist",
+    ("*", "Trying again: {}"): "Versucht es noch einmal: {}",
+    ("*", "Downloaded {}"): "{} heruntergeladen",
+    ("*", "A guide is being downloaded. Wait for it, or cancel it first"): (
+        "Ein Leitmodell wird heruntergeladen. Darauf warten oder es zuerst abbrechen"
+    ),
+    ("*", "The guide “{name}” is not here. Download it first"): (
+        "Das Leitmodell „{name}“ ist nicht da. Es zuerst herunterladen"
+    ),
+    ("*", "There is no guide “{name}” to download. Choose {known}"): (
+        "Es gibt kein Leitmodell „{name}“ zum Herunterladen. Zur Wahl stehen {known}"
+    ),
+    ("*", "There is no guide “{name}”. Choose {known}, or name a folder"): (
+        "Es gibt kein Leitmodell „{name}“. Zur Wahl stehen {known}, oder ein Ordner"
+    ),
     ("*", "There is no clipboard in background. Ask for the report as text"): (
         "Im Hintergrund gibt es keine Zwischenablage. Den Bericht als Text verlangen"
     ),

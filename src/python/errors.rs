@@ -7,14 +7,15 @@ use pyo3::exceptions::{PyException, PyRuntimeError, PyValueError};
 
 use crate::boxdef::BoxDefError;
 use crate::guide;
+use crate::hub::HubError;
 use crate::job::JobError;
 use crate::mesh::MeshError;
 use crate::metrics::MetricsError;
 use crate::render;
 
-create_exception!(boxmorph, GuideError, PyException, "A guide that cannot be opened or used.");
+create_exception!(boxmorph, GuideError, PyException, "A guide that cannot be fetched, opened or used.");
 create_exception!(boxmorph, RenderError, PyException, "Images that cannot be made.");
-create_exception!(boxmorph, Cancelled, PyException, "The job was cancelled.");
+create_exception!(boxmorph, Cancelled, PyException, "The job or download was cancelled.");
 
 /// Conversion into the exception that Python sees.
 pub trait IntoPyErr {
@@ -56,6 +57,21 @@ impl IntoPyErr for &render::RenderError {
             PyValueError::new_err(self.to_string())
         } else {
             RenderError::new_err(self.to_string())
+        }
+    }
+}
+
+impl IntoPyErr for HubError {
+    fn into_py_err(self) -> PyErr {
+        match self {
+            Self::Cancelled => Cancelled::new_err(self.to_string()),
+            Self::UnknownGuide { .. } | Self::UnknownPrecision { .. } | Self::BadEndpoint { .. } => {
+                PyValueError::new_err(self.to_string())
+            }
+            Self::AlreadyStarted | Self::NotFinished | Self::Thread(_) | Self::Fault(_) => {
+                PyRuntimeError::new_err(self.to_string())
+            }
+            error => GuideError::new_err(error.to_string()),
         }
     }
 }

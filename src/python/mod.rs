@@ -5,6 +5,7 @@ mod arrays;
 mod errors;
 mod graph;
 mod guide;
+mod guides;
 mod job;
 mod metrics;
 mod render;
@@ -23,6 +24,8 @@ mod _boxmorph {
     use super::graph::{PyBoxDefGraph, PyMesh, own_turn};
     #[pymodule_export]
     use super::guide::{PyGuide, execution_providers, runtime_library, runtime_version, set_default_library};
+    #[pymodule_export]
+    use super::guides::guides;
     #[pymodule_export]
     use super::job::{PyJob, PyResult_};
     #[pymodule_export]

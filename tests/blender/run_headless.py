@@ -12,6 +12,7 @@ from pathlib import Path
 
 from check_exchange import check_exchange
 from check_german import check_german
+from check_guides import check_guides
 from check_scripts import check_script, check_ten_objects
 from check_undo import check_undo
 from chroots import ARTIFACTS, run_everywhere
@@ -42,6 +43,7 @@ def check_suite(bench, counts):
     check_exchange(bench, counts)
     check_undo(bench, counts)
     check_german(bench, counts)
+    check_guides(bench, counts)
     check_failed(bench.inside, boxmorph, counts)
     check_usage(boxmorph, counts)
     after = (bench.outside / "chair.blend").read_bytes()

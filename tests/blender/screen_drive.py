@@ -119,6 +119,10 @@ class Screen:
         """Press a key, as xdotool names it."""
         self._xdotool("key", name)
 
+    def press(self, button):
+        """Press and release a button of the mouse where it is; 4 and 5 are the wheel."""
+        self._xdotool("click", button)
+
     def move(self, x, y):
         """Move the mouse there, with the small steps that make Blender notice."""
         self._xdotool("mousemove", x, y)

@@ -117,15 +117,22 @@ def messages_of_lists():
     for _identifier, name, tip, number in editor._guide_items(None, None):
         if number < editor._FIRST_FOUND:
             found |= {(editor.CONTEXT, name), (ANY, tip)}
+    downloads = blender.addon("guide_downloads")
+    found |= {(ANY, text) for texts in downloads.PRECISIONS.values() for text in texts}
+    for entry in downloads.entries():
+        found |= {(ANY, entry["good_for"])} | {(ANY, p["note"]) for p in entry["precisions"].values()}
     return found
 
 
 def messages_of_library():
-    """The phases of a search, which come from the Rust library."""
+    """The phases of a search and of a download, which come from the Rust library."""
     code = "".join((ROOT / "src" / "job" / name).read_text("utf-8") for name in ("run.rs", "progress.rs"))
     found = re.findall(r'"([A-Z][a-z][^"]*)"', code)
     assert {"Waiting", "Finding the parts", "Searching with {} part boxes", "Done"} <= set(found)
-    return {(ANY, phase) for phase in found}
+    code = "".join((ROOT / "src" / "hub" / name).read_text("utf-8") for name in ("download.rs", "fetch.rs"))
+    phases = re.findall(r'phase = "([^"]+)"', code)
+    assert {"Asking the server", "Downloading"} <= set(phases)
+    return {(ANY, phase) for phase in found + phases}
 
 
 def messages():
