@@ -10,6 +10,7 @@ from . import translations
 from .command_line import command
 from .interface import bug_report, outcome_panel, panels, preferences_editor, setting_presets
 from .operators import (
+    evaluation_operators,
     mix_operators,
     outcome_operators,
     parts_operators,
@@ -26,6 +27,7 @@ _classes = (
     + properties.classes
     + history.classes
     + outcome_operators.classes
+    + evaluation_operators.classes
     + mix_operators.classes
     + variation_operators.classes
     + parts_operators.classes

@@ -11,6 +11,7 @@ use crate::job::JobError;
 use crate::mesh::MeshError;
 use crate::metrics::MetricsError;
 use crate::render;
+use crate::search::PromptError;
 
 create_exception!(boxmorph, GuideError, PyException, "A guide that cannot be opened or used.");
 create_exception!(boxmorph, RenderError, PyException, "Images that cannot be made.");
@@ -50,6 +51,15 @@ impl IntoPyErr for &guide::GuideError {
     }
 }
 
+impl IntoPyErr for PromptError {
+    fn into_py_err(self) -> PyErr {
+        match self {
+            Self::Guide(error) => error.as_ref().into_py_err(),
+            error => PyValueError::new_err(error.to_string()),
+        }
+    }
+}
+
 impl IntoPyErr for &render::RenderError {
     fn into_py_err(self) -> PyErr {
         if self.is_input() {
@@ -74,6 +84,7 @@ impl IntoPyErr for JobError {
             | Self::GraphAndParts
             | Self::LocksWithoutGraph
             | Self::Variations
+            | Self::Prompt(_)
             | Self::Space(_) => PyValueError::new_err(self.to_string()),
             error => PyRuntimeError::new_err(error.to_string()),
         }

@@ -12,6 +12,7 @@ use super::arrays;
 use super::errors::IntoPyErr;
 use super::graph::{PyBoxDefGraph, PyMesh};
 use super::guide::PyGuide;
+use super::wording::Asked;
 use crate::guide::Guide;
 use crate::job::{Job, JobSpec, Outcome};
 use crate::search::{KeepPlace, KeepSize, Preset, SCALE_RANGE};
@@ -30,7 +31,7 @@ impl PyJob {
     fn new(
         py: Python<'_>,
         mesh: &PyMesh,
-        prompt: &str,
+        prompt: Asked<'_>,
         guide: Option<&PyGuide>,
         preset: &str,
         seed: u64,
@@ -55,7 +56,7 @@ impl PyJob {
         };
         let spec = JobSpec {
             mesh: mesh.0.as_ref().clone(),
-            prompt: prompt.to_owned(),
+            wording: prompt.wording(),
             guide,
             preset: self::preset(preset)?,
             seed,
