@@ -31,7 +31,7 @@ def _triangles(text):
     curve = bpy.data.curves.new("Boxmorph Text", "FONT")
     obj = bpy.data.objects.new("Boxmorph Text", curve)
     try:
-        curve.body, curve.resolution_u = text, 3
+        curve.body, curve.resolution_u = text, 2
         mesh = bpy.data.meshes.new_from_object(obj)
         try:
             mesh.calc_loop_triangles()

@@ -28,6 +28,7 @@ impl PyJob {
                         graph=None, locked=None, scale_range=SCALE_RANGE, shift_parts=false, renderer="auto", keep_size=None,
                         keep_place="bottom", points=None, variations=1))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of the Python surface")]
+    #[expect(clippy::needless_pass_by_value, reason = "pyo3 extracts owned values")]
     fn new(
         py: Python<'_>,
         mesh: &PyMesh,
