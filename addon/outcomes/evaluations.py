@@ -29,21 +29,25 @@ MEASURES = (
     "largest_scale",
 )
 
-_COLUMNS = ("file", "object", "outcome", "prompt", "guide", "triangles", *MEASURES, "refused")
+_NAMED = ("file", "object", "outcome", "prompt", "negative", "source")
+_COLUMNS = (*_NAMED, "guide", "triangles", *MEASURES, "refused")
 
 
 class Evaluated:
-    """An outcome and its evaluation; None, with the Refusal, where it cannot be evaluated."""
+    """An outcome and its evaluation; None, with the Refusal, where it cannot be evaluated. It is held against
+    `asked`: a record, or another dict with a prompt.
+    """
 
-    def __init__(self, file, obj, key, prompt):
-        self.file, self.object, self.outcome, self.prompt = file, obj.name, key.name, prompt
+    def __init__(self, file, obj, key, asked):
+        self.file, self.object, self.outcome, self.prompt = file, obj.name, key.name, asked["prompt"]
+        self.negative, self.source = asked.get("negative"), asked.get("source")
         self.evaluation = self.refusal = None
         #: Before and after from the front right, (PICTURE_SIZE, 2·PICTURE_SIZE, 3) uint8; None without.
         self.picture = None
 
     def row(self):
         """Return the evaluation as a flat dict that JSON can hold."""
-        named = {"file": self.file, "object": self.object, "outcome": self.outcome, "prompt": self.prompt}
+        named = {name: getattr(self, name) for name in _NAMED}
         if self.evaluation is None:
             return named | {"refused": str(self.refusal)}
         return named | self.evaluation | {"guide": self.evaluation["guide"]["name"]}
@@ -65,7 +69,7 @@ def evaluate_all(objects, context, file="", renderer=None, prompt=None, pictures
     """
     for obj in with_outcomes(objects):
         for key in shape_key.outcomes(obj.data):
-            asked = prompt or shape_key.records(obj.data)[key.name]["prompt"]
+            asked = shape_key.records(obj.data)[key.name] if prompt is None else {"prompt": prompt}
             evaluated = Evaluated(file, obj, key, asked)
             try:
                 if obj.mode == "EDIT":

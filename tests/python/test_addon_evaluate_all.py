@@ -4,6 +4,7 @@
 import csv
 import hashlib
 import json
+import shutil
 
 import addon_blender as blender
 import numpy as np
@@ -14,28 +15,36 @@ from test_addon_command import pixels
 MEASURES = blender.addon("evaluations").MEASURES
 
 
-def chair(name, *prompts, half=False):
+def chair(name, *prompts, half=False, **options):
     """Add a chair with these outcomes."""
     obj = blender.chair(half)
     obj.name = name
     for prompt in prompts:
-        blender.deform(prompt, splits="1")
+        blender.deform(prompt, splits="1", **options)
     return obj
 
 
-@pytest.fixture
-def folder(tmp_path):
-    """A folder of two files: one with two chairs and three outcomes, one with one; and the last is open."""
-    (tmp_path / "props").mkdir()
+@pytest.fixture(scope="module")
+def saved(tmp_path_factory):
+    """A folder of two files: one with two chairs and three outcomes, one with one and an object without."""
+    folder = tmp_path_factory.mktemp("saved")
     blender.empty_scene()
     chair("Chair", "a bar stool", "a sofa")
     chair("Half", "a bar stool", half=True)
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "props" / "two.blend"))
+    bpy.ops.wm.save_as_mainfile(filepath=str(folder / "two.blend"))
     blender.empty_scene()
-    chair("Other", "a sofa")
+    chair("Other", "a sofa", negative="a bench")
     blender.add("Plain", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "props" / "one.blend"))
-    return tmp_path / "props"
+    bpy.ops.wm.save_as_mainfile(filepath=str(folder / "one.blend"))
+    return folder
+
+
+@pytest.fixture
+def folder(saved, tmp_path):
+    """A copy of that folder, the second file open."""
+    folder = shutil.copytree(saved, tmp_path / "props")
+    bpy.ops.wm.open_mainfile(filepath=str(folder / "one.blend"))
+    return folder
 
 
 def boxmorph(*arguments):
@@ -57,6 +66,7 @@ def test_a_folder_is_evaluated_file_by_file(folder, tmp_path, capfd):
     assert "two.blend: Half, “a bar stool”: score " in printed
     assert "average of 4 outcomes: score " in printed
     rows = table(out["csv"])
+    assert [row["negative"] for row in rows] == ["a bench", "", "", ""]
     assert [(row["file"], row["object"], row["outcome"]) for row in rows] == [
         ("one.blend", "Other", "a sofa"),
         ("two.blend", "Chair", "a bar stool"),
