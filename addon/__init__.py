@@ -11,6 +11,7 @@ from .command_line import command
 from .core import guide_downloads
 from .interface import bug_report, outcome_panel, panels, preferences_editor, setting_presets
 from .operators import (
+    evaluation_operators,
     guide_copy_operators,
     guide_operators,
     mix_operators,
@@ -30,6 +31,7 @@ _classes = (
     + history.classes
     + outcome_operators.classes
     + guide_copy_operators.classes
+    + evaluation_operators.classes
     + mix_operators.classes
     + variation_operators.classes
     + parts_operators.classes

@@ -21,7 +21,13 @@ pub struct Report {
     pub boxmorph: String,
     /// The prompt.
     pub prompt: String,
-    /// Its words that the guide does not know.
+    /// What it should not look like.
+    pub negative: Option<String>,
+    /// What it was.
+    pub source: Option<String>,
+    /// Whether texts were read in templates.
+    pub templates: bool,
+    /// Words of these that the guide does not know.
     pub unknown_words: Vec<String>,
     /// The guide.
     pub guide: GuideRecord,
@@ -57,7 +63,7 @@ pub struct Report {
     pub boxes: usize,
     /// Rows of `scales`.
     pub parameter_rows: usize,
-    /// Score of the unchanged object, by all images.
+    /// Score of the unchanged object, by all images: mean cosine with what was asked for.
     pub score_before: f64,
     /// Score of the outcome, by all images.
     pub score_after: f64,

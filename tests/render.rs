@@ -250,7 +250,7 @@ fn views_have_names_and_an_order() {
     assert_eq!(views_by_name("ring").unwrap().len(), 8);
     assert_eq!(
         views_by_name("beside").unwrap_err().to_string(),
-        "unknown views \"beside\": choose \"paper\" or \"ring\""
+        "unknown views \"beside\": choose \"paper\", \"ring\" or \"front right\""
     );
 }
 

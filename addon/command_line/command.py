@@ -8,7 +8,7 @@ import argparse
 import sys
 
 from ..errors import Refusal
-from . import command_deform, command_guides, command_parts
+from . import command_deform, command_evaluate, command_guides, command_parts
 from .command_checks import FAILED
 
 
@@ -30,5 +30,6 @@ def _parser():
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
     command_deform.add_to(commands)
     command_parts.add_to(commands)
+    command_evaluate.add_to(commands)
     command_guides.add_to(commands)
     return parser

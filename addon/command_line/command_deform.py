@@ -11,8 +11,8 @@ import bpy
 
 from ..core import engine, guides, images
 from ..errors import Refusal
-from ..operators.properties import KEEP_SIZE, PRESETS, SPLITS, SYMMETRY
-from ..outcomes import evaluation, keyframes, take_apart
+from ..operators.properties import KEEP_SIZE, PRESETS, SPLITS, SYMMETRY, TEMPLATES
+from ..outcomes import evaluation, keyframes, take_apart, wordings
 from ..part_boxes import parts
 from ..preferences import RENDERERS
 from ..searching.progress import progress_text
@@ -30,7 +30,30 @@ def add_to(commands):
         help="deform one object to a prompt and save the file with its new shape key",
         description="Deform one object of FILE.blend to a prompt and save the file with its new shape key.",
     )
-    deform.add_argument("--prompt", required=True, help="what the object should become")
+    deform.add_argument(
+        "--prompt",
+        required=True,
+        help="what the object should become; something between several: “a bar stool:1, a throne:0.3”",
+    )
+    deform.add_argument(
+        "--negative",
+        default="",
+        metavar="PROMPT",
+        help="what it should not look like; counts half as much as the prompt, or as in “a bench:0.8”",
+    )
+    deform.add_argument(
+        "--from",
+        dest="source",
+        default="",
+        metavar="PROMPT",
+        help="what it is now: only the way from there to the prompt counts",
+    )
+    deform.add_argument(
+        "--templates",
+        choices=[item[0] for item in TEMPLATES],
+        default="auto",
+        help="whether texts are read as captions of pictures (default: for guides that know any words)",
+    )
     deform.add_argument("--object", metavar="NAME", help="the object to deform (default: the active one)")
     deform.add_argument(
         "--guide",
@@ -120,8 +143,11 @@ def _deform(options):
 def _deform_and_save(options):
     source = opened_file()
     obj = named_object(options.object)
-    prompt, _ = engine.checked_prompt(engine.open_guide(), options.prompt)
-    output = os.path.abspath(options.output) if options.output else _default_output(source, prompt)
+    guide = engine.open_guide()
+    words = {name: getattr(options, name) for name in wordings.DEFAULTS}
+    wording = wordings.wording(options.prompt, **words)
+    wordings.checked(guide, wording)
+    output = os.path.abspath(options.output) if options.output else _default_output(source, wording.prompt)
     for path in (output, options.report, options.sheet, options.spectrum):
         if path is not None:
             require_writable(path)
@@ -132,7 +158,7 @@ def _deform_and_save(options):
     search = Search(
         bpy.context,
         obj,
-        prompt,
+        wording.prompt,
         preset=options.preset,
         seed=options.seed,
         splits=options.splits,
@@ -142,6 +168,7 @@ def _deform_and_save(options):
         greatest_scale=options.scales[1],
         shift_parts=options.shift_parts,
         variations=options.variations,
+        **words,
         renderer=options.renderer,
     )
     for note in search.notes():

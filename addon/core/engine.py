@@ -142,19 +142,6 @@ def _guide_choice():
     return guide_folder(), prefs.runtime_library, prefs.threads, prefs.provider
 
 
-def checked_prompt(guide, text):
-    """Return `text` on one line without outer blanks, and the words of it that the guide does not know.
-
-    Raises Refusal for a prompt that is empty, endless, or of unknown words alone.
-    """
-    prompt = " ".join(text.split())
-    try:
-        guide.check_prompt(prompt)
-    except ValueError as error:
-        raise Refusal(capitalised(sentence(error))) from error
-    return prompt, guide.unknown_words(prompt)
-
-
 def capitalised(text):
     """Return `text` with a capital first letter."""
     return text[:1].upper() + text[1:]

@@ -15,12 +15,14 @@ _BACKGROUND = np.array((255, 255, 255), np.float32)
 _GAP = 4
 
 
-def render_row(boxmorph, vertices, triangles, size=224, renderer="auto"):
-    """Return the four views of a shape side by side on white, (size, 4·size, 3) uint8."""
-    views = boxmorph.render(
-        np.ascontiguousarray(vertices, np.float32), triangles, size=size, views="paper", renderer=renderer
+def render_row(boxmorph, vertices, triangles, size=224, renderer="auto", views="paper"):
+    """Return the views of a shape side by side on white, (size, k·size, 3) uint8: by default the four that
+    the guide sees.
+    """
+    pictures = boxmorph.render(
+        np.ascontiguousarray(vertices, np.float32), triangles, size=size, views=views, renderer=renderer
     )
-    return np.concatenate([_on_background(view) for view in views], axis=1)
+    return np.concatenate([_on_background(picture) for picture in pictures], axis=1)
 
 
 def colored_row(boxmorph, vertices, triangles, colors, size=224):

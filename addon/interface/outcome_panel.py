@@ -142,6 +142,7 @@ class BOXMORPH_MT_outcome(bpy.types.Menu):
         row.operator("boxmorph.add_control", icon="DRIVER").key = key.name
         layout.operator("boxmorph.apply_as_new", icon="DUPLICATE").key = key.name
         layout.operator("boxmorph.evaluate", icon="INFO").key = key.name
+        layout.operator("boxmorph.evaluate_all", icon="SPREADSHEET")
         layout.separator()
         layout.operator("boxmorph.remove_outcome", icon="X").key = key.name
 

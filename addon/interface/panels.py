@@ -8,7 +8,7 @@ from bpy.app.translations import pgettext_iface as iface_
 
 from ..core import engine
 from ..core.images import VIEWS_IMAGE
-from ..outcomes import shape_key
+from ..outcomes import shape_key, wordings
 from ..part_boxes import spanning
 from ..preferences import PACKAGE, preferences
 from ..searching import history, running
@@ -77,6 +77,24 @@ def _draw_progress(layout):
         row = layout.row()
         row.label(text=f"{request.name}: {request.settings['prompt']}", icon="TIME", translate=False)
         row.operator("boxmorph.unqueue", text="", icon="X", emboss=False).index = index
+
+
+class BOXMORPH_PT_wording(Sidebar, bpy.types.Panel):
+    bl_label = "More to the Prompt"
+    bl_parent_id = "BOXMORPH_PT_main"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw_header_preset(self, context):
+        # Folded, it shall not be forgotten.
+        if any(getattr(context.scene.boxmorph, name) != usual for name, usual in wordings.DEFAULTS.items()):
+            self.layout.label(text="", icon="DOT")
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        for name in wordings.DEFAULTS:
+            layout.prop(context.scene.boxmorph, name)
 
 
 class BOXMORPH_PT_parts(Sidebar, bpy.types.Panel):
@@ -165,6 +183,7 @@ class BOXMORPH_PT_views(Sidebar, bpy.types.Panel):
 
 main_classes = (BOXMORPH_PT_main,)
 classes = (
+    BOXMORPH_PT_wording,
     BOXMORPH_PT_parts,
     BOXMORPH_PT_search,
     BOXMORPH_PT_guide,

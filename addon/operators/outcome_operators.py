@@ -1,17 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators on what a search has left: keyframe an outcome, give it a control, measure its scores, evaluate
-it, take it apart, make it an object, remove it, show the views of the object.
+"""Operators on what a search has left: keyframe an outcome, give it a control, measure its scores, take
+it apart, make it an object, remove it, show the views of the object.
 """
 
 import bpy
-from bpy.app.translations import pgettext_iface as iface_
 from bpy.app.translations import pgettext_rpt as rpt_
 from bpy.app.translations import pgettext_tip as tip_
 from bpy.props import FloatProperty, IntProperty, StringProperty
 
 from ..core import engine, images, mesh_io
 from ..errors import Refusal, tells_refusals
-from ..outcomes import control, evaluation, keyframes, new_object, score_curve, shape_key, take_apart
+from ..outcomes import control, keyframes, new_object, score_curve, shape_key, take_apart
 from ..preferences import preferences
 from ..redraw import redraw_panels
 from .properties import timing
@@ -111,37 +110,6 @@ class BOXMORPH_OT_measure_scores(OnOutcome, bpy.types.Operator):
         obj, key = self.outcome(context)
         curve = score_curve.measure(obj, context, key, self.alpha_from, self.alpha_to)
         score_curve.keep(obj, key, curve)
-        redraw_panels()
-        return {"FINISHED"}
-
-
-class BOXMORPH_OT_evaluate(OnOutcome, bpy.types.Operator):
-    """Judge the outcome by numbers: how alike it is to its prompt, how many faces cross others, how far
-    curvature and shading changed
-    """
-
-    bl_idname = "boxmorph.evaluate"
-    bl_label = "Evaluate"
-    bl_options = {"REGISTER", "UNDO"}
-
-    def invoke(self, context, _event):
-        done = self.execute(context)
-        if done == {"FINISHED"} and not bpy.app.background:
-            _obj, key = self.outcome(context)
-            lines = evaluation.lines(self.evaluated, iface_)
-            context.window_manager.popup_menu(
-                lambda menu, _context: [menu.layout.label(text=line) for line in lines],
-                title=key.name,
-                icon="INFO",
-            )
-        return done
-
-    @tells_refusals
-    def execute(self, context):
-        obj, key = self.outcome(context)
-        self.evaluated = evaluation.evaluate(obj, context, key)
-        evaluation.keep(obj, key, self.evaluated)
-        self.report({"INFO"}, f"“{key.name}”: {'; '.join(evaluation.lines(self.evaluated, rpt_))}")
         redraw_panels()
         return {"FINISHED"}
 
@@ -272,7 +240,6 @@ class BOXMORPH_OT_show_views(bpy.types.Operator):
 classes = (
     BOXMORPH_OT_keyframe_spectrum,
     BOXMORPH_OT_measure_scores,
-    BOXMORPH_OT_evaluate,
     BOXMORPH_OT_add_control,
     BOXMORPH_OT_remove_outcome,
     BOXMORPH_OT_take_apart,

@@ -35,8 +35,11 @@ SYMMETRY = (
     ("z", "Z", "Keep top and bottom alike"),
     ("xy", "X and Y", "Keep left and right alike, and front and back"),
 )
-
-
+TEMPLATES = (
+    ("auto", "Automatic", "As photo and as rendering for a guide that knows any words; as typed for others"),
+    ("on", "On", "Read every text as a photo, a rendering and a grey 3D model of it, and take the mean"),
+    ("off", "Off", "Read every text as it is typed"),
+)
 KEEP_SIZE = (
     ("auto", "Automatic", "Keep the diagonal of the bounding box; where parts are locked, keep their size"),
     ("diagonal", "Diagonal", "Keep the diagonal of the bounding box"),
@@ -96,9 +99,30 @@ class SearchProperties:
     prompt: StringProperty(
         name="Prompt",
         description="What the object should become, in a few words, such as: a bar stool. Names that the "
-        "guide knows are suggested",
+        "guide knows are suggested. Something between several: a bar stool:1, a throne:0.3",
         search=suggest,
         search_options={"SUGGESTION"},
+    )
+    negative: StringProperty(
+        name="Not",
+        description="What the object should not look like, such as: a bench. For results that could be "
+        "taken for something else. Counts half as much as the prompt; as much as you say with: a bench:0.8",
+        search=suggest,
+        search_options={"SUGGESTION"},
+    )
+    source: StringProperty(
+        name="From",
+        description="What the object is now, such as: a chair. What it shares with the prompt then does not "
+        "count, only the way from one to the other. For changes that are too mild",
+        search=suggest,
+        search_options={"SUGGESTION"},
+    )
+    templates: EnumProperty(
+        name="Templates",
+        description="How the guide reads the texts. CLIP and its kin judge best by captions of pictures, "
+        "the embedded guide by bare names",
+        items=TEMPLATES,
+        default="auto",
     )
     preset: EnumProperty(
         name="Preset",

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The settings of a search, from the record of its outcome: what is needed to search the same again."""
 
+from . import wordings
+
 #: Seeds of Blender's properties end here.
 _SEEDS = 2**31
 
@@ -13,9 +15,10 @@ def settings_of(record):
     """
     asked = record.get("asked")
     if asked is not None:
-        return dict(asked)
+        # What was asked before there was more than a prompt was asked without it.
+        return wordings.DEFAULTS | asked
     least, greatest = record["scale_range"]
-    return {
+    return wordings.DEFAULTS | {
         "prompt": record["prompt"],
         "preset": record["preset"],
         "seed": record["seed"],

@@ -10,7 +10,7 @@ import numpy as np
 from ..core import engine
 from ..errors import Refusal
 from ..preferences import preferences
-from . import score_curve, shape_key
+from . import score_curve, shape_key, wordings
 
 #: Field of the outcome's record that holds the evaluation.
 FIELD = "evaluation"
@@ -18,37 +18,38 @@ FIELD = "evaluation"
 #: Triangles up to which crossing faces are counted: more take longer than a search.
 _COUNTED = 200_000
 
-#: The views come front right first.
-_FRONT_RIGHT = 0
-
-#: What the guide sees views before.
-_BACKGROUNDS = np.array([(0, 0, 0), (255, 255, 255), (255, 128, 0)], np.float32)
+#: From where the paper evaluates: no view that a search has looked from.
+FRONT_RIGHT = "front right"
 
 
-def evaluate(obj, context, key, renderer=None):
-    """Return the evaluation of the outcome `key` of `obj` at value 1, as a dict that JSON can hold.
+def evaluate(obj, context, key, renderer=None, prompt=None):
+    """Return the evaluation of the outcome `key` of `obj` at value 1, as a dict that JSON can hold; with
+    `prompt`, how alike it is to that one instead of its own.
 
-    Scores are cosines of images with the prompt: of all 12, and of the front-right view before the three
-    backgrounds. `curvature_change` is the mean change of a vertex's angle deficit in radians, `normal_error`
-    the mean of 1 − cos between old and new vertex normals, `self_intersections_*` the share of triangles
-    that cross others, None where there are too many to ask. Scales are those of parts, under the gauge; None
-    where the record has none. Raises Refusal where the shape cannot be seen or the guide cannot be opened.
+    Scores are mean cosines of images with what was asked for: of all 12, and of the front-right view before
+    the three backgrounds. `curvature_change` is the mean change of a vertex's angle deficit in radians,
+    `normal_error` the mean of 1 − cos between old and new vertex normals, `self_intersections_*` the share of
+    triangles that cross others, None where there are too many to ask. Scales are those of parts, under the
+    gauge; None where the record has none. Raises Refusal where the shape cannot be seen or the guide cannot
+    be opened.
     """
     boxmorph = engine.library()
     guide = engine.open_guide()
     renderer = renderer or preferences().renderer
     report = shape_key.records(obj.data)[key.name]
-    arrays, mesh = engine.searched(obj, context)
-    after = np.ascontiguousarray(score_curve.seen(obj, context, key, arrays) @ arrays.place.T)
-    shapes = (arrays.vertices, after)
+    arrays, mesh, after = shapes(obj, context, key)
+    wording = wordings.of_record(report) if prompt is None else wordings.wording(prompt)
     metrics = boxmorph.metrics
     counted = len(arrays.triangles) <= _COUNTED
     try:
-        scores = boxmorph.spectrum_scores(mesh, after, report["prompt"], guide, [0.0, 1.0], renderer)
-        front = [
-            _front_right(boxmorph, guide, report["prompt"], v, arrays.triangles, renderer) for v in shapes
+        scores, front = (
+            boxmorph.spectrum_scores(mesh, after, wording, guide, [0.0, 1.0], renderer, views)
+            for views in ("paper", FRONT_RIGHT)
+        )
+        crossing = [
+            metrics.self_intersection_ratio(mesh, vertices) if counted else None
+            for vertices in (arrays.vertices, after)
         ]
-        crossing = [metrics.self_intersection_ratio(mesh, v) if counted else None for v in shapes]
         curvature, normals = metrics.gaussian_curvature_change(mesh, after), metrics.normal_error(mesh, after)
     except (boxmorph.GuideError, boxmorph.RenderError, ValueError, RuntimeError) as error:
         raise Refusal(engine.capitalised(engine.sentence(error))) from error
@@ -58,8 +59,8 @@ def evaluate(obj, context, key, renderer=None):
         "triangles": len(arrays.triangles),
         "score_before": float(scores[0]),
         "score_after": float(scores[1]),
-        "front_right_before": front[0],
-        "front_right_after": front[1],
+        "front_right_before": float(front[0]),
+        "front_right_after": float(front[1]),
         "curvature_change": curvature,
         "self_intersections_before": crossing[0],
         "self_intersections_after": crossing[1],
@@ -67,6 +68,14 @@ def evaluate(obj, context, key, renderer=None):
         "least_scale": float(scales.min()) if scales.size else None,
         "largest_scale": float(scales.max()) if scales.size else None,
     }
+
+
+def shapes(obj, context, key):
+    """Return the ObjectArrays of `obj`, their Mesh, and the outcome's positions at 1 in the same coordinates,
+    (n,3) float32. Raises Refusal where the shape cannot be seen.
+    """
+    arrays, mesh = engine.searched(obj, context)
+    return arrays, mesh, np.ascontiguousarray(score_curve.seen(obj, context, key, arrays) @ arrays.place.T)
 
 
 def keep(obj, key, evaluation):
@@ -101,14 +110,3 @@ def lines(evaluation, say=str):
 def _angle(error):
     """Return the angle whose 1 − cos is `error`, in radians."""
     return np.arccos(np.clip(1.0 - error, -1.0, 1.0))
-
-
-def _front_right(boxmorph, guide, prompt, vertices, triangles, renderer):
-    """Return the mean cosine of the front-right view before each background with the prompt."""
-    vertices = np.ascontiguousarray(vertices)
-    views = boxmorph.render(vertices, triangles, size=guide.image_size, views="paper", renderer=renderer)
-    view = views[_FRONT_RIGHT].astype(np.float32)
-    alpha = view[None, ..., 3:] / 255.0
-    images = np.rint(view[None, ..., :3] * alpha + _BACKGROUNDS[:, None, None, :] * (1.0 - alpha))
-    embeddings = guide.image_embeddings(np.ascontiguousarray(images.astype(np.uint8)))
-    return float((embeddings @ guide.text_embedding(prompt)).mean())

@@ -8,7 +8,7 @@ import numpy as np
 from ..core import engine, mesh_io
 from ..errors import Refusal
 from ..preferences import preferences
-from . import shape_key
+from . import shape_key, wordings
 
 #: Slider values at which the score is measured. It bends only gently between them.
 SAMPLES = 33
@@ -30,13 +30,13 @@ def measure(obj, context, key, alpha_from, alpha_to, renderer=None):
     """
     boxmorph = engine.library()
     guide = engine.open_guide()
-    prompt = shape_key.records(obj.data)[key.name]["prompt"]
+    wording = wordings.of_record(shape_key.records(obj.data)[key.name])
     arrays, mesh = engine.searched(obj, context)
     outcome = seen(obj, context, key, arrays) @ arrays.place.T
     alphas = np.linspace(*sorted((alpha_from, alpha_to)), SAMPLES)
     try:
         scores = boxmorph.spectrum_scores(
-            mesh, np.ascontiguousarray(outcome), prompt, guide, alphas, renderer or preferences().renderer
+            mesh, np.ascontiguousarray(outcome), wording, guide, alphas, renderer or preferences().renderer
         )
     except (boxmorph.GuideError, boxmorph.RenderError, ValueError, RuntimeError) as error:
         raise Refusal(engine.capitalised(engine.sentence(error))) from error

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..core import engine, mesh_io, modifiers
 from ..errors import Refusal
-from ..outcomes import control
+from ..outcomes import control, wordings
 from ..outcomes.trial import Trial
 from ..outcomes.variations import keep_variations
 from ..part_boxes import parts, spanning
@@ -37,12 +37,16 @@ class Search:
         greatest_scale=3.1,
         shift_parts=False,
         variations=1,
+        negative="",
+        source="",
+        templates="auto",
         renderer=None,
     ):
         mesh_io.deformable(obj)
         self._boxmorph = engine.library()
         guide = engine.open_guide()
-        self.prompt, self.unknown = engine.checked_prompt(guide, prompt)
+        wording = wordings.wording(prompt, negative, source, templates)
+        self.prompt, self.unknown = wording.prompt, wordings.checked(guide, wording)
         self.provider_note = guide.provider_note
         self.nearest = {word: guide.nearest_words(word, 1) for word in self.unknown}
         self.arrays, mesh = engine.searched(obj, context)
@@ -57,6 +61,9 @@ class Search:
             "least_scale": least_scale,
             "greatest_scale": greatest_scale,
             "shift_parts": shift_parts,
+            "negative": negative,
+            "source": source,
+            "templates": templates,
         }
         self.uid, self.object_name = obj.session_uid, obj.name
         self.shared_by = obj.data.users
@@ -77,9 +84,7 @@ class Search:
             else:
                 options["splits"] = "auto" if splits == "auto" else int(splits)
                 options["symmetry"] = None if symmetry == "auto" else symmetry
-            self._job = self._boxmorph.Job(
-                mesh, self.prompt, guide=guide, preset=preset, seed=seed, **options
-            )
+            self._job = self._boxmorph.Job(mesh, wording, guide=guide, preset=preset, seed=seed, **options)
             self._job.start()
         except self._expected() as error:
             raise Refusal(engine.sentence(error)) from error

@@ -1,8 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Prompts to suggest while one is typed: the names that the guide was taught."""
 
+import re
+
 from ..core import engine
 from ..errors import Refusal
+
+#: All of a prompt up to where its next part begins.
+_BEHIND_WEIGHT = re.compile(r".*:\s*[\d.]+\s*,\s*")
 
 
 def suggest(_settings, _context, text):
@@ -18,8 +23,11 @@ def completions(text, names):
     """Return prompts that end `text` as one of `names` ("a bar stool"); all names where it is empty.
 
     The last words typed count, as many as begin a name or a word of one: "a tall bar st" gives
-    "a tall bar stool".
+    "a tall bar stool". Behind a weight a new prompt begins: "a sofa:1, a th" gives "a sofa:1, a throne".
     """
+    if behind := _BEHIND_WEIGHT.match(text):
+        earlier, text = behind[0], text[behind.end() :]
+        return [earlier + found for found in completions(text, names)]
     words = text.lower().split()
     if not words:
         return list(names)

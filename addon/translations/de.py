@@ -57,11 +57,47 @@ MESSAGES = {
     (
         "*",
         "What the object should become, in a few words, such as: a bar stool. Names that the guide "
-        "knows are suggested",
+        "knows are suggested. Something between several: a bar stool:1, a throne:0.3",
     ): (
         "Was aus dem Objekt werden soll, in wenigen englischen Worten, etwa: a bar stool. Namen, die "
-        "das Leitmodell kennt, werden vorgeschlagen"
+        "das Leitmodell kennt, werden vorgeschlagen. Etwas zwischen mehreren: a bar stool:1, a throne:0.3"
     ),
+    ("Boxmorph", "More to the Prompt"): "Mehr zum Prompt",
+    ("*", "Not"): "Nicht",
+    (
+        "*",
+        "What the object should not look like, such as: a bench. For results that could be taken for "
+        "something else. Counts half as much as the prompt; as much as you say with: a bench:0.8",
+    ): (
+        "Wonach das Objekt nicht aussehen soll, etwa: a bench. Für Ergebnisse, die sich für etwas anderes "
+        "halten ließen. Zählt halb so viel wie der Prompt; so viel, wie angegeben, mit: a bench:0.8"
+    ),
+    ("*", "From"): "Von",
+    (
+        "*",
+        "What the object is now, such as: a chair. What it shares with the prompt then does not count, only "
+        "the way from one to the other. For changes that are too mild",
+    ): (
+        "Was das Objekt jetzt ist, etwa: a chair. Was es mit dem Prompt gemeinsam hat, zählt dann nicht, nur "
+        "der Weg vom einen zum anderen. Für zu zaghafte Änderungen"
+    ),
+    ("*", "Templates"): "Vorlagen",
+    (
+        "*",
+        "How the guide reads the texts. CLIP and its kin judge best by captions of pictures, the embedded "
+        "guide by bare names",
+    ): (
+        "Wie das Leitmodell die Texte liest. CLIP und seine Verwandten urteilen am besten nach "
+        "Bildunterschriften, das mitgelieferte nach bloßen Namen"
+    ),
+    ("*", "As photo and as rendering for a guide that knows any words; as typed for others"): (
+        "Als Foto und als gerendertes Bild, wenn das Leitmodell alle Wörter kennt; sonst wie eingegeben"
+    ),
+    ("*", "On"): "Ein",
+    ("*", "Read every text as a photo, a rendering and a grey 3D model of it, and take the mean"): (
+        "Jeden Text als Foto, als gerendertes Bild und als graues 3D-Modell davon lesen und mitteln"
+    ),
+    ("*", "Read every text as it is typed"): "Jeden Text lesen, wie er eingegeben ist",
     ("Boxmorph", "Preset"): "Verfahren",
     ("*", "How thoroughly to search. Leave it, unless to compare with what was published"): (
         "Wie gründlich gesucht wird. So lassen, außer zum Vergleich mit dem, was veröffentlicht ist"
@@ -412,6 +448,36 @@ MESSAGES = {
     ),
     ("*", "Value where the curve begins"): "Wert, bei dem die Kurve beginnt",
     ("*", "Value where the curve ends"): "Wert, bei dem die Kurve endet",
+    ("Operator", "Evaluate All…"): "Alle beurteilen…",
+    (
+        "*",
+        "Judge all outcomes of the selected objects by numbers, and write them to files: a table, and a "
+        "contact sheet with every object before and after",
+    ): (
+        "Alle Ergebnisse der ausgewählten Objekte nach Zahlen beurteilen und sie in Dateien schreiben: eine "
+        "Tabelle und einen Kontaktbogen mit jedem Objekt vorher und nachher"
+    ),
+    ("*", "Table"): "Tabelle",
+    ("*", "Write a .csv file, a line for each outcome, for spreadsheets"): (
+        "Eine .csv-Datei schreiben, eine Zeile je Ergebnis, für Tabellenprogramme"
+    ),
+    ("*", "Details"): "Einzelheiten",
+    ("*", "Write a .json file of the same name, with the averages of each prompt, for scripts"): (
+        "Eine .json-Datei desselben Namens schreiben, mit den Mittelwerten je Prompt, für Skripte"
+    ),
+    ("*", "Contact Sheet"): "Kontaktbogen",
+    ("*", "Write a .png file of the same name: each outcome before and after, with its numbers"): (
+        "Eine .png-Datei desselben Namens schreiben: jedes Ergebnis vorher und nachher, mit seinen Zahlen"
+    ),
+    ("*", "Nothing is to be written. Turn on Table, Details or Contact Sheet"): (
+        "Es soll nichts geschrieben werden. Tabelle, Einzelheiten oder Kontaktbogen einschalten"
+    ),
+    ("*", "{path} cannot be written. Choose another place"): (
+        "{path} lässt sich nicht schreiben. Einen anderen Ort wählen"
+    ),
+    ("*", "{count} outcomes evaluated, written to {names}"): (
+        "{count} Ergebnisse beurteilt, geschrieben in {names}"
+    ),
     ("Operator", "Evaluate"): "Beurteilen",
     (
         "*",

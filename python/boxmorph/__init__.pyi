@@ -15,6 +15,7 @@ __version__: str
 Boundary = Literal["smooth", "paper"]
 Symmetry = Literal["auto", "none", "x", "y", "z", "xy"]
 Renderer = Literal["auto", "cpu", "gpu"]
+Views = Literal["paper", "ring", "front right"]
 Provider = Literal["auto", "cpu", "cuda", "directml", "coreml", "migraphx", "openvino"]
 Precision = Literal["auto", "fp32", "fp16", "int8", "uint8", "q4", "q4f16", "bnb4"]
 
@@ -178,6 +179,38 @@ class Guide:
     @property
     def provider_note(self) -> str | None: ...
 
+class Wording:
+    """What is asked for, where a prompt alone does not say it. A Job takes it in the prompt's place."""
+
+    def __init__(
+        self,
+        prompt: str,
+        negative: str | None = None,
+        source: str | None = None,
+        templates: Literal["auto", "on", "off"] = "auto",
+    ) -> None:
+        """`prompt` may have several parts with weights, "a stool:1, a throne:0.3", that are blended; without
+        weights it is one, whatever its commas. `negative`: what the object should not look like; weights
+        count against the prompt's 1, and one without counts a half. `source`: what the object is now; the
+        target is then the direction from there to the prompt. `templates`: whether the guide reads the texts
+        as "a photo of {}", "a 3d render of {}" … and takes the mean; "auto" is on for a guide of general
+        knowledge, but not in a Job of the preset "paper".
+
+        Scores are mean cosines of the images with normalise(p − Σ w·n − max(0, p·s)·s): p the prompts'
+        embeddings blended, n those of the negatives, s that of the source, each of unit length.
+        """
+
+    @property
+    def prompt(self) -> str: ...
+    @property
+    def parts(self) -> list[tuple[str, float]]:
+        """The prompt's parts and their weights; one of weight 1 where none are given. Raises ValueError."""
+
+    def check(self, guide: Guide) -> list[str]:
+        """The words that the guide does not know. Raises ValueError for texts that are misshapen, empty,
+        endless or of unknown words alone, and for a prompt that means the same as what is taken from it.
+        """
+
 def execution_providers() -> list[Provider]:
     """What the library of ONNX Runtime offers to run a guide on, the processor last. Raises GuideError where
     the library cannot be opened.
@@ -196,7 +229,7 @@ def render(
     vertices: NDArray[np.float32],  # (n, 3)
     triangles: NDArray[np.uint32] | NDArray[np.int32],  # (m, 3)
     size: int = 224,
-    views: str = "paper",
+    views: Views = "paper",
     renderer: Renderer = "auto",
     colors: NDArray[np.uint8] | None = None,  # (m, 3), of triangles; not with "gpu"
 ) -> NDArray[np.uint8]:
@@ -205,14 +238,16 @@ def render(
 def spectrum_scores(
     mesh: Mesh,
     vertices: NDArray[np.float32],  # (n, 3), the outcome: positions of the mesh's vertices
-    prompt: str,
+    prompt: str | Wording,
     guide: Guide,
     alphas: Sequence[float] | NDArray[np.float64],  # (k,), 0: the mesh, 1: the outcome
     renderer: Renderer = "auto",
+    views: Views = "paper",
 ) -> NDArray[np.float64]:
-    """Scores (k,) of the shapes mesh + alpha * (vertices - mesh): mean cosine of all 12 images with the
-    prompt, as `Result.score_before` and `Result.score_after`. Dense meshes are scored by the light proxy that
-    a Job takes.
+    """Scores (k,) of the shapes mesh + alpha * (vertices - mesh): mean cosine of every view before each of
+    three backgrounds with the prompt; of the paper's views as `Result.score_before` and `Result.score_after`.
+    Dense meshes are scored by the light proxy that a Job takes. Templates are those of the wording; "auto"
+    is on for a guide of general knowledge.
 
     Raises ValueError for a prompt the guide cannot read, for `vertices` of another number, and for numbers
     that are not finite; TypeError for another dtype; GuideError, RenderError.
@@ -224,7 +259,7 @@ class Job:
     def __init__(
         self,
         mesh: Mesh,
-        prompt: str,
+        prompt: str | Wording,
         guide: Guide | None = None,
         preset: Literal["standard", "paper"] = "standard",
         seed: int = 0,

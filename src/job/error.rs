@@ -10,7 +10,7 @@ use super::MOST_VARIATIONS;
 use crate::boxdef::BoxDefError;
 use crate::guide::GuideError;
 use crate::render::RenderError;
-use crate::search::{ObjectiveError, SearchError, SpaceError};
+use crate::search::{ObjectiveError, PromptError, SearchError, SpaceError};
 
 /// Why a job gives no outcome. Cheap to clone: it is reported each time the result is asked for.
 #[derive(Debug, Clone, Error)]
@@ -55,6 +55,9 @@ pub enum JobError {
     /// More variations than there can be, or none.
     #[error("variations must be a whole number from 1 to {MOST_VARIATIONS}")]
     Variations,
+    /// What is asked for cannot be.
+    #[error(transparent)]
+    Prompt(Arc<PromptError>),
     /// There is nothing to search.
     #[error(transparent)]
     Space(#[from] SpaceError),
@@ -86,6 +89,15 @@ impl JobError {
 impl From<GuideError> for JobError {
     fn from(error: GuideError) -> Self {
         Self::Guide(Arc::new(error))
+    }
+}
+
+impl From<PromptError> for JobError {
+    fn from(error: PromptError) -> Self {
+        match error {
+            PromptError::Guide(error) => Self::Guide(error),
+            error => Self::Prompt(Arc::new(error)),
+        }
     }
 }
 

@@ -29,7 +29,7 @@ use crate::boxdef::{Boundary, BoxDefGraph, Symmetry};
 use crate::guide::Guide;
 use crate::mesh::Mesh;
 use crate::render::{Backend, RenderError};
-use crate::search::{KeepPlace, KeepSize, Preset, SearchSpace};
+use crate::search::{KeepPlace, KeepSize, Preset, SearchSpace, Wording};
 use progress::Harness;
 
 /// What a job is to do. The guide is shared: it is opened once a session.
@@ -38,7 +38,7 @@ pub struct JobSpec {
     /// The object as it is seen (modifiers applied), in object coordinates, z up.
     pub mesh: Mesh,
     /// What it should become.
-    pub prompt: String,
+    pub wording: Wording,
     /// Who judges.
     pub guide: Arc<Guide>,
     /// The budget.
@@ -73,6 +73,11 @@ pub struct JobSpec {
 }
 
 impl JobSpec {
+    /// What is asked for, with templates where this guide and this preset have them: the paper's has none.
+    fn resolved_wording(&self) -> Wording {
+        self.wording.resolved(&self.guide, self.preset.name != Preset::PAPER.name)
+    }
+
     /// The size that the gauge keeps.
     fn kept_size(&self) -> KeepSize {
         // Unchanged scales and no gauge: what is locked keeps its size to the bit.
@@ -97,7 +102,7 @@ type Ended = Result<Arc<Outcome>, JobError>;
 impl Job {
     /// Checks what is to be done; nothing runs yet.
     pub fn new(spec: JobSpec) -> Result<Self, JobError> {
-        spec.guide.check_prompt(&spec.prompt)?;
+        spec.wording.check(&spec.guide)?;
         if !(1..=MOST_VARIATIONS).contains(&spec.variations) {
             return Err(JobError::Variations);
         }

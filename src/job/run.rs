@@ -37,7 +37,7 @@ pub struct Spent {
 
 pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
     harness.update(|p| p.phase = "Reading the prompt".into());
-    let target = Target::new(&spec.guide, &spec.prompt)?;
+    let target = Target::new(&spec.guide, &spec.resolved_wording())?;
     let views = render::views_by_name("paper")?;
     harness.update(|p| p.phase = "Finding the parts".into());
     let proxy = Proxy::of(&spec.mesh);
@@ -256,8 +256,11 @@ impl<'a> Run<'a> {
         let shifts = best.shifts();
         let report = Report {
             boxmorph: env!("CARGO_PKG_VERSION").into(),
-            prompt: spec.prompt.clone(),
-            unknown_words: spec.guide.unknown_words(&spec.prompt).unwrap_or_default(),
+            prompt: spec.wording.prompt.clone(),
+            negative: spec.wording.negative.clone(),
+            source: spec.wording.source.clone(),
+            templates: spec.resolved_wording().templates == Some(true),
+            unknown_words: spec.wording.unknown_words(&spec.guide).unwrap_or_default(),
             guide: GuideRecord {
                 name: spec.guide.name().into(),
                 sha256: spec.guide.hash().into(),

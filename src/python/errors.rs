@@ -12,6 +12,7 @@ use crate::job::JobError;
 use crate::mesh::MeshError;
 use crate::metrics::MetricsError;
 use crate::render;
+use crate::search::PromptError;
 
 create_exception!(boxmorph, GuideError, PyException, "A guide that cannot be fetched, opened or used.");
 create_exception!(boxmorph, RenderError, PyException, "Images that cannot be made.");
@@ -47,6 +48,15 @@ impl IntoPyErr for &guide::GuideError {
             PyValueError::new_err(self.to_string())
         } else {
             GuideError::new_err(self.to_string())
+        }
+    }
+}
+
+impl IntoPyErr for PromptError {
+    fn into_py_err(self) -> PyErr {
+        match self {
+            Self::Guide(error) => error.as_ref().into_py_err(),
+            error => PyValueError::new_err(error.to_string()),
         }
     }
 }
@@ -90,6 +100,7 @@ impl IntoPyErr for JobError {
             | Self::GraphAndParts
             | Self::LocksWithoutGraph
             | Self::Variations
+            | Self::Prompt(_)
             | Self::Space(_) => PyValueError::new_err(self.to_string()),
             error => PyRuntimeError::new_err(error.to_string()),
         }

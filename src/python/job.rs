@@ -12,6 +12,7 @@ use super::arrays;
 use super::errors::IntoPyErr;
 use super::graph::{PyBoxDefGraph, PyMesh};
 use super::guide::PyGuide;
+use super::wording::Asked;
 use crate::guide::Guide;
 use crate::job::{Job, JobSpec, Outcome};
 use crate::search::{KeepPlace, KeepSize, Preset, SCALE_RANGE};
@@ -27,10 +28,11 @@ impl PyJob {
                         graph=None, locked=None, scale_range=SCALE_RANGE, shift_parts=false, renderer="auto", keep_size=None,
                         keep_place="bottom", points=None, variations=1))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of the Python surface")]
+    #[expect(clippy::needless_pass_by_value, reason = "pyo3 extracts owned values")]
     fn new(
         py: Python<'_>,
         mesh: &PyMesh,
-        prompt: &str,
+        prompt: Asked<'_>,
         guide: Option<&PyGuide>,
         preset: &str,
         seed: u64,
@@ -55,7 +57,7 @@ impl PyJob {
         };
         let spec = JobSpec {
             mesh: mesh.0.as_ref().clone(),
-            prompt: prompt.to_owned(),
+            wording: prompt.wording(),
             guide,
             preset: self::preset(preset)?,
             seed,

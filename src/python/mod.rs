@@ -10,6 +10,7 @@ mod job;
 mod metrics;
 mod render;
 mod spectrum;
+mod wording;
 
 use pyo3::prelude::*;
 
@@ -34,6 +35,8 @@ mod _boxmorph {
     use super::render::{graphics_adapter, render};
     #[pymodule_export]
     use super::spectrum::spectrum_scores;
+    #[pymodule_export]
+    use super::wording::PyWording;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

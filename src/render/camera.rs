@@ -27,11 +27,13 @@ pub struct View {
 /// The views called `name`.
 ///
 /// `"paper"`: elevation 45°, azimuths 45°, −45°, −135°, 135°, seen from the front right, the back right, the
-/// back left and the front left. `"ring"`: elevation 30°, eight azimuths from 0° in steps of 45°.
+/// back left and the front left. `"ring"`: elevation 30°, eight azimuths from 0° in steps of 45°. `"front right"`:
+/// elevation 36°, azimuth 45°, from where outcomes are evaluated: no view that a search has looked from.
 pub fn views_by_name(name: &str) -> Result<Vec<View>, RenderError> {
     match name {
         "paper" => Ok([45.0, -45.0, -135.0, 135.0].map(|azimuth| View { azimuth, elevation: 45.0 }).to_vec()),
         "ring" => Ok((0..8u8).map(|i| View { azimuth: 45.0 * f32::from(i), elevation: 30.0 }).collect()),
+        "front right" => Ok(vec![View { azimuth: 45.0, elevation: 36.0 }]),
         _ => Err(RenderError::UnknownViews(name.to_owned())),
     }
 }

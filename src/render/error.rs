@@ -7,7 +7,7 @@ use thiserror::Error;
 #[derive(Debug, Error, Clone, PartialEq, Eq)]
 pub enum RenderError {
     /// No such set of views.
-    #[error("unknown views \"{0}\": choose \"paper\" or \"ring\"")]
+    #[error("unknown views \"{0}\": choose \"paper\", \"ring\" or \"front right\"")]
     UnknownViews(String),
     /// No such backend.
     #[error("unknown renderer \"{0}\": choose \"auto\", \"cpu\" or \"gpu\"")]

@@ -10,6 +10,7 @@ import shutil
 import sys
 from pathlib import Path
 
+from check_evaluate import check_evaluate
 from check_exchange import check_exchange
 from check_german import check_german
 from check_guides import check_guides
@@ -38,6 +39,7 @@ def check_suite(bench, counts):
         return bench.run("blender", *opened, "--command", "boxmorph", *arguments)
 
     check_done(bench, boxmorph, counts)
+    check_evaluate(bench, boxmorph, counts)
     check_script(bench, counts)
     check_ten_objects(bench, counts)
     check_exchange(bench, counts)
