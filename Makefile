@@ -69,7 +69,18 @@ demo: extension ## deform the example objects, results in demo/out/
 pictures: extension ## deform odd meshes of every kind, pictures of docs/meshes.md in docs/images/meshes/
 	$(BIN)/python demo/meshes.py
 
-bench: setup $(VENV)/.test-requirements ## measure field, rendering, encoding and search, as ratios in one run
+# The peers of the bench, apart from .venv as they take gigabytes; where they cannot be installed it goes on without.
+benches/.venv/.requirements: requirements/bench.txt
+	$(PYTHON) -m venv benches/.venv
+	benches/.venv/bin/pip install --quiet --disable-pip-version-check -r requirements/bench.txt
+	@touch $@
+
+benches/.venv/.wheel: benches/.venv/.requirements $(VENV)/.wheel
+	benches/.venv/bin/pip install --quiet --disable-pip-version-check --force-reinstall --no-deps dist/*.whl
+	@touch $@
+
+bench: setup $(VENV)/.test-requirements ## measure field, rendering, encoding and search beside their peers, in one run
+	-@$(MAKE) --no-print-directory benches/.venv/.wheel
 	$(BIN)/python benches/bench.py
 
 guide: setup ## train the embedded guide again, from nothing (an hour or more on two cores)

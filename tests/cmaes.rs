@@ -1,73 +1,16 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The search finds known optima within recorded budgets, on bounds too, and always in the same way.
 
+mod functions;
+
 use boxmorph::search::{Bounds, CmaEs, CmaEsOptions, SearchError, StopReason};
+use functions::{CASES, Case, SEEDS, beyond_bounds, ellipsoid, evaluations_to, rotated_ellipsoid, sphere};
+use rayon::prelude::*;
+use serde::Deserialize;
 
-const TARGET: f64 = 1e-8;
-const SEEDS: u64 = 21;
-
-fn weight(i: usize, n: usize, condition: f64) -> f64 {
-    condition.powf(i as f64 / (n - 1) as f64)
-}
-
-fn sphere(x: &[f64]) -> f64 {
-    x.iter().map(|v| v * v).sum()
-}
-
-fn ellipsoid(x: &[f64]) -> f64 {
-    x.iter().enumerate().map(|(i, v)| weight(i, x.len(), 1e6) * v * v).sum()
-}
-
-fn cigar(x: &[f64]) -> f64 {
-    x[0] * x[0] + 1e6 * sphere(&x[1..])
-}
-
-fn tablet(x: &[f64]) -> f64 {
-    1e6 * x[0] * x[0] + sphere(&x[1..])
-}
-
-fn rosenbrock(x: &[f64]) -> f64 {
-    x.windows(2).map(|v| 100.0 * (v[0] * v[0] - v[1]).powi(2) + (v[0] - 1.0).powi(2)).sum()
-}
-
-/// Turns every pair of neighbouring coordinates by an angle of its own.
-fn rotated(x: &[f64]) -> Vec<f64> {
-    let mut turned = x.to_vec();
-    for round in 0..x.len() {
-        for i in 0..x.len() - 1 {
-            let (sin, cos) = (1.0 + (round * x.len() + i) as f64).sin_cos();
-            (turned[i], turned[i + 1]) =
-                (cos * turned[i] - sin * turned[i + 1], sin * turned[i] + cos * turned[i + 1]);
-        }
-    }
-    turned
-}
-
-fn rotated_ellipsoid(x: &[f64]) -> f64 {
-    ellipsoid(&rotated(x))
-}
-
-/// From 1.5 (Rosenbrock: 0) in every coordinate, σ 0.5; stop rules are left aside.
+/// From `start` in every coordinate, σ 0.5.
 fn options(n: usize, start: f64, seed: u64) -> CmaEsOptions {
     CmaEsOptions { start: vec![start; n], sigma: 0.5, seed, ..CmaEsOptions::default() }
-}
-
-/// Evaluations until the best score is at most `target`; `None` beyond `budget`.
-fn evaluations_to(
-    target: f64,
-    budget: usize,
-    options: CmaEsOptions,
-    score: impl Fn(&[f64]) -> f64,
-) -> Option<usize> {
-    let mut search = CmaEs::new(options).unwrap();
-    while search.evaluations() < budget {
-        let scores: Vec<f64> = search.ask().iter().map(|x| score(x)).collect();
-        search.tell(&scores).unwrap();
-        if search.best().is_some_and(|(_, best)| best <= target) {
-            return Some(search.evaluations());
-        }
-    }
-    None
 }
 
 fn median(mut values: Vec<usize>) -> usize {
@@ -75,50 +18,44 @@ fn median(mut values: Vec<usize>) -> usize {
     values[values.len() / 2]
 }
 
-/// A function, where it starts, and the evaluations to [`TARGET`] for n = 2, 5, 10 and 20: the medians of
-/// pycma 4.5 over 21 seeds from the same starts and with the same population.
-type Case = (&'static str, fn(&[f64]) -> f64, f64, [usize; 4]);
-
-const CASES: [Case; 6] = [
-    ("sphere", sphere, 1.5, [240, 680, 1400, 2604]),
-    ("ellipsoid", ellipsoid, 1.5, [462, 1504, 4020, 12804]),
-    ("cigar", cigar, 1.5, [462, 1680, 3970, 8016]),
-    ("tablet", tablet, 1.5, [474, 1296, 3010, 7368]),
-    ("Rosenbrock", rosenbrock, 0.0, [450, 1616, 5190, 16194]),
-    ("rotated ellipsoid", rotated_ellipsoid, 1.5, [456, 1456, 4000, 12948]),
-];
-
-#[test]
-fn known_optima_are_found_as_cheaply_as_by_pycma() {
-    for (name, score, start, recorded) in CASES {
-        for (n, pycma) in [2, 5, 10, 20].into_iter().zip(recorded) {
-            // Rosenbrock has a second, local optimum for n ≥ 4, where a few runs end.
-            let (seeds, needed) = if n < 20 { (SEEDS, SEEDS - 3) } else { (5, 4) };
-            let runs: Vec<usize> = (0..seeds)
-                .filter_map(|seed| evaluations_to(TARGET, 3 * pycma, options(n, start, seed), score))
-                .collect();
-            let spared = name == "Rosenbrock" && n > 2;
-            assert!(runs.len() as u64 >= if spared { needed } else { seeds }, "{name}, n = {n}: {runs:?}");
-            let ours = median(runs);
-            assert!(ours as f64 <= 1.15 * pycma as f64, "{name}, n = {n}: {ours}, pycma {pycma}");
-        }
-    }
+/// What pycma needs, as `benches/cmaes.py --record` writes it.
+#[derive(Deserialize)]
+struct Recorded {
+    function: String,
+    n: usize,
+    /// Evaluations until solved, over the seeds that did.
+    median: usize,
+    /// Seeds that did.
+    solved: usize,
 }
 
-/// Least squares to a target that lies outside on 8 of 15 coordinates: the optimum, 64, is on those bounds.
-fn beyond_bounds(x: &[f64]) -> f64 {
-    let reach = 8f64.sqrt();
-    x.iter()
-        .enumerate()
-        .map(|(i, v)| {
-            let target = match i {
-                0..4 => 3.0 + reach,
-                4..8 => -1.0 - reach,
-                _ => 0.25 * (i as f64 - 8.0),
-            };
-            (v - target).powi(2)
-        })
-        .sum()
+/// What pycma needs for a case.
+fn pycma(case: &Case, n: usize) -> Recorded {
+    let recorded: Vec<Recorded> = serde_json::from_str(include_str!("functions/pycma.json")).unwrap();
+    recorded.into_iter().find(|row| row.function == case.name && row.n == n).expect("recorded")
+}
+
+#[test]
+fn known_optima_are_found_as_cheaply_and_as_surely_as_by_pycma() {
+    for case in &CASES {
+        let (mut solved_by_us, mut solved_by_pycma) = (0, 0);
+        for &n in case.sizes {
+            let pycma = pycma(case, n);
+            let solved: Vec<usize> = case.evaluations(n).into_iter().flatten().collect();
+            solved_by_us += solved.len();
+            solved_by_pycma += pycma.solved;
+            let ours = median(solved);
+            assert!(
+                ours as f64 <= 1.15 * pycma.median as f64,
+                "{}, n = {n}: {ours}, pycma {}",
+                case.name,
+                pycma.median
+            );
+        }
+        // Of all sizes together: from n = 4 on, Rosenbrock has a second, local optimum, where about a run in
+        // twenty ends, pycma's as ours.
+        assert!(solved_by_us >= solved_by_pycma, "{}: {solved_by_us}, pycma {solved_by_pycma}", case.name);
+    }
 }
 
 fn bounded(seed: u64) -> CmaEsOptions {
@@ -133,11 +70,10 @@ fn bounded(seed: u64) -> CmaEsOptions {
 
 #[test]
 fn an_optimum_on_half_the_bounds_is_found_from_every_seed() {
-    for seed in 0..SEEDS {
-        // Medians: ours 5,364, pycma's 7,632.
-        let needed = evaluations_to(64.0 + 1e-9, 7_632, bounded(seed), beyond_bounds);
-        assert!(needed.is_some(), "seed {seed}");
-    }
+    let case = CASES.iter().find(|case| case.bounds != Bounds::None).unwrap();
+    let evaluations = case.evaluations(15);
+    assert_eq!(evaluations.len(), 21);
+    assert!(evaluations.iter().all(Option::is_some), "{evaluations:?}");
 }
 
 #[test]
@@ -207,6 +143,25 @@ fn the_same_seed_gives_the_same_bytes_and_another_seed_others() {
 }
 
 #[test]
+fn one_thread_and_two_give_the_same_bytes() {
+    let traces = [1, 2].map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let mut search = CmaEs::new(bounded(7)).unwrap();
+            let mut bits = Vec::new();
+            for _ in 0..60 {
+                let candidates = search.ask();
+                bits.extend(candidates.iter().flatten().map(|v| v.to_bits()));
+                let scores: Vec<f64> = candidates.par_iter().map(|x| beyond_bounds(x)).collect();
+                search.tell(&scores).unwrap();
+            }
+            (bits, serde_json::to_string(&search).unwrap())
+        })
+    });
+    assert!(traces[0] == traces[1]);
+}
+
+#[test]
 fn only_ranks_count() {
     let rising: [fn(f64) -> f64; 3] = [|f| 1e6 * f - 3.0, f64::sqrt, |f| f.powi(3)];
     let mut plain = CmaEs::new(options(5, 1.5, 1)).unwrap();
@@ -220,14 +175,11 @@ fn only_ranks_count() {
 #[test]
 fn a_rotation_changes_no_cost() {
     let cost = |score: fn(&[f64]) -> f64| {
-        median(
-            (0..11)
-                .filter_map(|seed| evaluations_to(TARGET, 20_000, options(10, 1.5, seed), score))
-                .collect(),
-        )
+        let runs = (0..SEEDS).filter_map(|seed| evaluations_to(1e-8, 20_000, options(10, 1.5, seed), score));
+        median(runs.collect())
     };
     let (plain, turned) = (cost(ellipsoid) as f64, cost(rotated_ellipsoid) as f64);
-    assert!((turned / plain - 1.0).abs() < 0.1, "{plain} evaluations become {turned}");
+    assert!((turned / plain - 1.0).abs() < 0.05, "{plain} evaluations become {turned}");
 }
 
 #[test]
@@ -268,6 +220,16 @@ fn noise_does_not_keep_it_from_the_neighbourhood() {
     }
 }
 
+/// Saves and resumes `search`, which then goes on as if it had never stopped.
+fn resumes(mut search: CmaEs, score: fn(&[f64]) -> f64) {
+    let text = serde_json::to_string(&search).unwrap();
+    let mut resumed: CmaEs = serde_json::from_str(&text).unwrap();
+    assert_eq!(serde_json::to_string(&resumed).unwrap(), text);
+    assert!(trace(&mut resumed, 30, score) == trace(&mut search, 30, score));
+    assert_eq!(resumed.best(), search.best());
+    assert_eq!(serde_json::to_string(&resumed).unwrap(), serde_json::to_string(&search).unwrap());
+}
+
 #[test]
 fn a_saved_search_resumes_to_the_byte() {
     for (asked, scored) in [(false, 0), (false, 1), (true, 17), (true, 60)] {
@@ -277,11 +239,49 @@ fn a_saved_search_resumes_to_the_byte() {
         if asked {
             search.ask();
         }
-        let text = serde_json::to_string(&search).unwrap();
-        let mut resumed: CmaEs = serde_json::from_str(&text).unwrap();
-        assert_eq!(serde_json::to_string(&resumed).unwrap(), text);
-        assert!(trace(&mut resumed, 30, beyond_bounds) == trace(&mut search, 30, beyond_bounds));
-        assert_eq!(resumed.best(), search.best());
+        resumes(search, beyond_bounds);
+    }
+}
+
+#[test]
+fn a_search_that_saw_no_number_or_has_stopped_resumes_too() {
+    let blind = |_: &[f64]| f64::NAN;
+    let mut search = CmaEs::new(bounded(5)).unwrap();
+    trace(&mut search, 3, blind);
+    resumes(search, blind);
+    let stopped = run(bounded(5), beyond_bounds);
+    let text = serde_json::to_string(&stopped).unwrap();
+    let resumed: CmaEs = serde_json::from_str(&text).unwrap();
+    assert_eq!(resumed.stop_reason(), stopped.stop_reason());
+    resumes(stopped, beyond_bounds);
+}
+
+/// The places of all arrays within `value`.
+fn arrays(value: &serde_json::Value, place: &str) -> Vec<String> {
+    let below: Vec<(String, &serde_json::Value)> = match value {
+        serde_json::Value::Array(items) => {
+            items.iter().enumerate().map(|(i, v)| (i.to_string(), v)).collect()
+        }
+        serde_json::Value::Object(fields) => fields.iter().map(|(k, v)| (k.clone(), v)).collect(),
+        _ => Vec::new(),
+    };
+    let own = value.as_array().filter(|items| !items.is_empty()).map(|_| place.to_owned());
+    own.into_iter().chain(below.iter().flat_map(|(key, v)| arrays(v, &format!("{place}/{key}")))).collect()
+}
+
+#[test]
+fn a_save_that_lacks_a_number_anywhere_is_refused() {
+    let mut search = CmaEs::new(options(3, 1.5, 0)).unwrap();
+    trace(&mut search, 5, sphere);
+    search.inject(&[0.1; 3]).unwrap();
+    search.ask();
+    search.inject(&[0.1; 3]).unwrap();
+    let saved = serde_json::to_value(&search).unwrap();
+    for place in arrays(&saved, "") {
+        let mut damaged = saved.clone();
+        damaged.pointer_mut(&place).unwrap().as_array_mut().unwrap().pop();
+        // One fewer is injected: that is a whole search, too.
+        assert!(place == "/injected" || serde_json::from_value::<CmaEs>(damaged).is_err(), "{place}");
     }
 }
 
