@@ -62,6 +62,8 @@ class TorchClip(Encoder):
         settings = random_clip.config("vit-b-32", None)
         torch.manual_seed(0)
         vision = transformers.CLIPVisionModelWithProjection(settings.vision_config).eval()
+        # `make` draws an example in between.
+        torch.rand(2, 3, settings.vision_config.image_size, settings.vision_config.image_size)
         text = transformers.CLIPTextModelWithProjection(settings.text_config).eval()
         self.network = lambda pixels: vision(pixels).image_embeds
         tokenizer = transformers.PreTrainedTokenizerFast(
