@@ -41,8 +41,9 @@ use text::Text;
 /// RGB images encoded in one run of the network. Fixed, so that no result depends on the number of threads.
 const IMAGE_BATCH: usize = 12;
 
-/// Images that keep the processor, and a graphics card, busy in one run of the network; more gain nothing.
-const ENOUGH: usize = 4;
+/// Images that keep the processor, and a graphics card, busy in one run of the network. Of fewer the embedded guide
+/// takes a quarter longer for each, its weights coming anew from memory after images were drawn; more gain little.
+const ENOUGH: usize = 8;
 const ENOUGH_ON_CARD: usize = 144;
 
 /// Longest prompt taken, in characters: guides read some tens of words at most.
