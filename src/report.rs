@@ -33,6 +33,11 @@ pub struct Report {
     pub guide: GuideRecord,
     /// The preset's name.
     pub preset: String,
+    /// Images that might be encoded, in a search on a budget. Where seconds were asked for, what they came to on
+    /// this machine: as a budget of images it gives the same outcome anywhere, if the time sufficed.
+    pub image_budget: Option<usize>,
+    /// Seconds that were asked for.
+    pub seconds_budget: Option<f64>,
     /// The seed.
     pub seed: u64,
     /// The split count that won; none where the parts were given.

@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use boxmorph::boxdef::{Boundary, BoxDefGraph, Symmetry};
 use boxmorph::render::{Backend, open, views_by_name};
-use boxmorph::search::{ImagePlan, Objective, Preset, Target};
+use boxmorph::search::{ImagePlan, Objective, Preset, Target, Wording};
 use common::chair;
 use glam::Vec3;
 
@@ -68,7 +68,7 @@ fn buffers_are_reused_from_generation_to_generation() {
     });
     assert_eq!(blocks, 0, "drawing allocates nothing");
 
-    let target = Target::new(&guide, "a bar stool").expect("the guide knows stools");
+    let target = Target::new(&guide, &Wording::plain("a bar stool")).expect("the guide knows stools");
     let (field, preset) = (graph.shared_field(), &Preset::STANDARD);
     let mut objective = Objective::new(&mesh, field, &guide, &target, Backend::Cpu, &views, preset)
         .expect("the chair can be drawn");

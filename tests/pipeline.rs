@@ -7,7 +7,7 @@ mod guides;
 use boxmorph::boxdef::{Boundary, BoxDefGraph, Symmetry};
 use boxmorph::guide::Guide;
 use boxmorph::render::{BACKGROUNDS, Backend, composite, premultiply, render_positions, views_by_name};
-use boxmorph::search::{Evaluation, ImagePlan, Objective, Preset, Target};
+use boxmorph::search::{Evaluation, ImagePlan, Objective, Preset, Target, Views, Wording};
 use common::chair;
 use glam::Vec3;
 
@@ -21,7 +21,7 @@ fn candidates(rows: usize, count: usize) -> Vec<Vec<Vec3>> {
 fn evaluate(guide: &Guide, sizes: &[usize], plan: ImagePlan) -> Vec<Evaluation> {
     let mesh = chair(3).mesh();
     let graph = BoxDefGraph::build(&mesh, 2, Symmetry::Auto, Boundary::Smooth).expect("a chair has parts");
-    let target = Target::new(guide, "a bar stool").expect("the guide knows stools");
+    let target = Target::new(guide, &Wording::plain("a bar stool")).expect("the guide knows stools");
     let views = views_by_name("paper").expect("the paper's views");
     let (field, preset) = (graph.shared_field(), &Preset::STANDARD);
     let mut objective = Objective::new(&mesh, field, guide, &target, Backend::Cpu, &views, preset)
@@ -33,7 +33,10 @@ fn evaluate(guide: &Guide, sizes: &[usize], plan: ImagePlan) -> Vec<Evaluation> 
         all.extend_from_slice(objective.evaluate(&rest, plan).expect("candidates can be evaluated"));
         rest = later;
     }
-    assert_eq!(objective.images_encoded(), all.len() * plan.pairs(views.len()).len());
+    assert_eq!(
+        objective.images_encoded(),
+        all.len() * Views::of(&views, Symmetry::None).pairs(plan, 0).len()
+    );
     all
 }
 

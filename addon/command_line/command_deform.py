@@ -61,7 +61,12 @@ def add_to(commands):
         help="who judges: “embedded”, a guide of the guides folder, or a folder (default: as in the "
         "preferences; see guides)",
     )
-    deform.add_argument("--preset", choices=[item[0] for item in PRESETS], default="standard")
+    pace = deform.add_mutually_exclusive_group()
+    presets = [item[0] for item in PRESETS if item[0] != "time"]
+    pace.add_argument("--preset", choices=presets, default="standard")
+    pace.add_argument(
+        "--seconds", type=_seconds, help="find the best that can be found in so many seconds, 1 to 3600"
+    )
     deform.add_argument(
         "--seed", type=_seed, default=0, help="another seed gives another result (default: 0)"
     )
@@ -159,7 +164,8 @@ def _deform_and_save(options):
         bpy.context,
         obj,
         wording.prompt,
-        preset=options.preset,
+        preset=options.preset if options.seconds is None else "time",
+        seconds=options.seconds or 20.0,
         seed=options.seed,
         splits=options.splits,
         symmetry=options.symmetry,
@@ -298,6 +304,13 @@ def _seed(text):
     value = int(text)
     if value < 0:
         raise argparse.ArgumentTypeError("a seed is 0 or more")
+    return value
+
+
+def _seconds(text):
+    value = float(text)
+    if not 1.0 <= value <= 3600.0:
+        raise argparse.ArgumentTypeError("a search takes 1 to 3600 seconds")
     return value
 
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`guides`: list the guides that can be downloaded and those that are here; download one, remove it, or copy one in eight bits."""
+"""`guides`: list the guides that can be downloaded and those that are here; download one, remove one, or copy
+one in eight bits.
+"""
 
 import os
 

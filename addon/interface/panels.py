@@ -30,6 +30,8 @@ class BOXMORPH_PT_main(Sidebar, bpy.types.Panel):
         _draw_button(layout, context)
         row = layout.row(align=True)
         row.prop(settings, "preset", text="")
+        if settings.preset == "time":
+            row.prop(settings, "seconds")
         row.prop(settings, "seed")
         if running.running.search is not None:
             _draw_progress(layout.box())

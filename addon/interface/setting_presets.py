@@ -13,6 +13,7 @@ _FOLDER = "boxmorph/search"
 #: What a preset holds: how to search, but neither for what nor with which seed.
 SETTINGS = (
     "preset",
+    "seconds",
     "splits",
     "symmetry",
     "keep_size",

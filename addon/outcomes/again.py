@@ -3,6 +3,9 @@
 
 from . import wordings
 
+#: What outcomes were searched with before there was a choice.
+_DEFAULTS = wordings.DEFAULTS | {"seconds": 20.0}
+
 #: Seeds of Blender's properties end here.
 _SEEDS = 2**31
 
@@ -15,10 +18,9 @@ def settings_of(record):
     """
     asked = record.get("asked")
     if asked is not None:
-        # What was asked before there was more than a prompt was asked without it.
-        return wordings.DEFAULTS | asked
+        return _DEFAULTS | asked
     least, greatest = record["scale_range"]
-    return wordings.DEFAULTS | {
+    return _DEFAULTS | {
         "prompt": record["prompt"],
         "preset": record["preset"],
         "seed": record["seed"],

@@ -29,6 +29,7 @@ class Search:
         obj,
         prompt,
         preset="standard",
+        seconds=20.0,
         seed=0,
         splits="auto",
         symmetry="auto",
@@ -54,6 +55,7 @@ class Search:
         self.asked = {
             "prompt": self.prompt,
             "preset": preset,
+            "seconds": seconds,
             "seed": seed,
             "splits": str(splits),
             "symmetry": symmetry,
@@ -75,6 +77,8 @@ class Search:
             "variations": variations,
             "renderer": renderer or preferences().renderer,
         }
+        if preset == "time":
+            preset, options["seconds"] = "standard", seconds
         if self.arrays.points is not None:
             options["points"] = np.ascontiguousarray(self.arrays.points)
         try:

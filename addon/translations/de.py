@@ -99,16 +99,35 @@ MESSAGES = {
     ),
     ("*", "Read every text as it is typed"): "Jeden Text lesen, wie er eingegeben ist",
     ("Boxmorph", "Preset"): "Verfahren",
-    ("*", "How thoroughly to search. Leave it, unless to compare with what was published"): (
-        "Wie gründlich gesucht wird. So lassen, außer zum Vergleich mit dem, was veröffentlicht ist"
+    ("*", "How thoroughly to search. Draft to try prompts out, Best for what is to be kept"): (
+        "Wie gründlich gesucht wird. Entwurf, um Beschreibungen zu erproben, Bestes für das, was bleiben soll"
+    ),
+    ("Boxmorph", "Draft"): "Entwurf",
+    ("*", "A first look, in a third of the time of Standard"): (
+        "Ein erster Blick, in einem Drittel der Zeit von Standard"
     ),
     ("Boxmorph", "Standard"): "Standard",
-    ("*", "The result of the full search at a fraction of its cost"): (
-        "Was die volle Suche findet, zu einem Bruchteil ihrer Kosten"
+    ("*", "A good outcome in seconds"): "Ein gutes Ergebnis in Sekunden",
+    ("Boxmorph", "Best"): "Bestes",
+    ("*", "Looks at more beginnings and goes on for longer, five times the time of Standard"): (
+        "Erwägt mehr Anfänge und sucht länger, in der fünffachen Zeit von Standard"
+    ),
+    ("Boxmorph", "Time"): "Zeit",
+    ("*", "The best that can be found in the seconds that you give it"): (
+        "Das Beste, was sich in den vorgegebenen Sekunden finden lässt"
     ),
     ("Boxmorph", "Paper"): "Veröffentlichung",
-    ("*", "The published protocol, step by step. Much slower"): (
-        "Das veröffentlichte Verfahren, Schritt für Schritt. Viel langsamer"
+    ("*", "The published protocol, step by step. Much slower, to compare with"): (
+        "Das veröffentlichte Verfahren, Schritt für Schritt. Viel langsamer, zum Vergleich"
+    ),
+    ("*", "Seconds"): "Sekunden",
+    (
+        "*",
+        "How long to search, with the preset Time. What is found depends on how fast this machine is; the "
+        "record says what repeats it elsewhere",
+    ): (
+        "Wie lange mit dem Verfahren Zeit gesucht wird. Was dabei herauskommt, hängt davon ab, wie schnell "
+        "dieser Rechner ist; das Protokoll nennt, was es anderswo wiederholt"
     ),
     ("*", "Seed"): "Startwert",
     (

@@ -261,7 +261,7 @@ class Job:
         mesh: Mesh,
         prompt: str | Wording,
         guide: Guide | None = None,
-        preset: Literal["standard", "paper"] = "standard",
+        preset: Literal["draft", "standard", "best", "paper"] = "standard",
         seed: int = 0,
         *,
         splits: Literal["auto"] | int | None = None,
@@ -277,8 +277,15 @@ class Job:
         keep_place: Literal["bottom", "off"] = "bottom",
         points: NDArray[np.float32] | None = None,  # (k, 3), moved by the same field
         variations: int = 1,  # outcomes wanted, 1 to 8
+        images: int | None = None,  # images that may be encoded; None: as the preset says
+        seconds: float | None = None,  # time that the search may take, in the place of images
     ) -> None:
-        """With `variations` the job goes on, after its usual search, to outcomes that are nearly as good as
+        """Presets "draft", "standard" and "best" search from few parts to many on a budget of 1,600, 4,800
+        and 24,000 images; "paper" is the protocol of the paper, up to 100,000. With `seconds` the budget is
+        what this machine encodes in that time; the record's `image_budget`, given as `images`, repeats the
+        outcome, unless the time ran out before.
+
+        With `variations` the job goes on, after its usual search, to outcomes that are nearly as good as
         its result and look different. Each takes about a third as long again.
         """
 

@@ -11,21 +11,14 @@ pub struct Finalist {
     pub after: Evaluation,
     /// Whether it is another shape than what was given.
     pub improved: bool,
-    pub sound: bool,
     pub stop: StopReason,
 }
 
 impl Finalist {
-    /// Another shape goes before what was given, a sound one before one that crosses itself, then that of
-    /// greater worth.
+    /// Another shape goes before what was given, then that of greater worth.
     pub fn beats(&self, other: &Self) -> bool {
-        let rank = |f: &Self| (f.improved, f.sound, f.after.worth());
+        let rank = |f: &Self| (f.improved, f.after.worth());
         rank(self) > rank(other)
-    }
-
-    /// Whether another search might do better: a rival is near, or the shape crosses itself.
-    pub fn falls_short(&self) -> bool {
-        self.after.rivalry > 0.0 || !self.sound
     }
 }
 

@@ -2,8 +2,11 @@
 //! A deformation job: mesh and prompt in, outcome out, on a thread of its own.
 
 mod background;
+mod coarse_to_fine;
+mod entrant;
 mod error;
 mod finalist;
+mod in_full;
 mod outcome;
 mod pool;
 mod progress;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-//! The job's work: a graph and a search per split count, the best of all judged by every image.
+//! The job's work: the graphs to search, the searches under way, and the outcome of the best.
 
 use std::sync::Arc;
 
 use glam::Vec3;
 
-use super::finalist::{Finalist, improves};
+use super::entrant::Entrant;
+use super::finalist::Finalist;
 use super::outcome::{Best, Outcome, Stage};
 use super::pool::Pool;
 use super::progress::Harness;
@@ -16,21 +17,18 @@ use crate::boxdef::{BoxDefGraph, Ground};
 use crate::render::{self, View};
 use crate::report::{GuideRecord, Report};
 use crate::search::{
-    self, Evaluation, Footing, Found, ImagePlan, Novelty, Objective, SearchSpace, Sketch, Start, Target,
+    Budget, Footing, Novelty, Objective, Preset, Search, SearchSpace, Sketch, Start, Target,
 };
 use crate::spectrum::{DEFAULT_RANGE, slider_limits};
 
 /// Between the seeds of searches of the same boxes; far from the small seeds that people choose.
 pub const AGAIN: u64 = 0x9e37_79b9;
 
-/// First step size of a search that is to look farther, in units of the search variable.
-pub const WIDE: f64 = 1.0;
-
 /// Sums over all searches, for the record.
 #[derive(Default)]
 pub struct Spent {
     generations: usize,
-    pub evaluations: usize,
+    evaluations: usize,
     pub images: usize,
     renderer: String,
 }
@@ -42,8 +40,6 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
     harness.update(|p| p.phase = "Finding the parts".into());
     let proxy = Proxy::of(&spec.mesh);
     let stages = stages(spec, &proxy, harness)?;
-    let searches = stages.len() + spec.preset.restarts + spec.variations - 1;
-    harness.update(|p| p.generations = searches * spec.preset.max_generations);
     let sketch = Sketch::of(proxy.mesh());
     let mut run = Run {
         spec,
@@ -52,27 +48,17 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
         views: &views,
         proxy: &proxy,
         soundness: Soundness::new(proxy.mesh(), spec.preset.max_crossing),
-        searches: 0,
         spent: Spent::default(),
+        budget: 0,
+        shown: f64::NEG_INFINITY,
         winner: None,
         pool: Pool::default(),
         sketch: &sketch,
     };
-    for (index, stage) in stages.iter().enumerate() {
-        let again = stages[..index].iter().filter(|earlier| Arc::ptr_eq(earlier, stage)).count();
-        let seed = spec.seed.wrapping_add(again as u64 * AGAIN);
-        run.search(stage, &Start { factors: run.start_of(stage), sigma: spec.preset.sigma, seed })?;
+    match spec.preset.budget {
+        Some(budget) => run.coarse_to_fine(&stages, budget)?,
+        None => run.each_in_full(&stages)?,
     }
-    if let Some(stage) = stages.last() {
-        for restart in 1..=spec.preset.restarts {
-            if !run.winner.as_ref().is_some_and(Finalist::falls_short) {
-                break;
-            }
-            let seed = spec.seed.wrapping_sub(restart as u64 * AGAIN);
-            run.search(stage, &Start { factors: stage.whole.unchanged(), sigma: WIDE, seed })?;
-        }
-    }
-    run.searches = stages.len() + spec.preset.restarts;
     let variations = run.vary()?;
     run.outcome(variations)
 }
@@ -112,9 +98,11 @@ pub struct Run<'a> {
     /// What is scored of the mesh.
     proxy: &'a Proxy<'a>,
     pub soundness: Soundness<'a>,
-    /// Searches done.
-    searches: usize,
     pub spent: Spent,
+    /// Images that may be encoded, in a search on a budget.
+    pub budget: usize,
+    /// Score of the best candidate that was shown.
+    shown: f64,
     pub winner: Option<Finalist>,
     /// What variations are chosen from, where there are to be any,
     pub pool: Pool,
@@ -122,63 +110,17 @@ pub struct Run<'a> {
     pub sketch: &'a Sketch<'a>,
 }
 
-/// A search that was made, and what evaluates its candidates.
-pub struct Hunt<'a> {
-    pub objective: Objective<'a>,
-    /// The unchanged object.
-    before: Evaluation,
-    pub found: Found,
-}
-
 impl<'a> Run<'a> {
-    /// Where the first search of a stage starts: at the best so far, if the preset has it so.
-    fn start_of(&self, stage: &Stage) -> Vec<Vec3> {
-        let mut factors = stage.whole.unchanged();
-        if let (Some(w), true) = (&self.winner, self.spec.preset.inherit) {
-            let scales = search::inherit(&stage.graph, &w.best.stage.whole.deform(&w.best.factors));
-            factors[..scales.len()].copy_from_slice(&scales);
-        }
-        factors
-    }
-
-    /// Searches a stage, and keeps what it finds if it beats the winner so far.
-    fn search(&mut self, stage: &Arc<Stage>, start: &Start) -> Result<(), JobError> {
-        let Hunt { mut objective, before, found } = self.hunt(stage, start, None)?;
-        let (mut after, mut factors, mut improved) = (before, stage.whole.unchanged(), false);
-        // Where what the loss likes best is no more like the prompt, the candidate that is most like it.
-        for candidate in [found.factors, found.highest] {
-            let judged = objective.evaluate(std::slice::from_ref(&candidate), ImagePlan::All)?[0];
-            self.spent.evaluations += 1;
-            if improves(&judged, &before) {
-                (after, factors, improved) = (judged, candidate, true);
-                break;
-            }
-        }
-        self.spent.images += objective.images_encoded();
-        self.spent.renderer = objective.backend_name();
-        let sound = self.soundness.holds(&stage.scored.deform(&factors));
-        let best = Best { score: after.score, factors, stage: stage.clone() };
-        let finalist = Finalist { best, before, after, improved, sound, stop: found.stop };
-        if self.winner.as_ref().is_none_or(|winner| finalist.beats(winner)) {
-            self.winner = Some(finalist);
-        }
-        Ok(())
-    }
-
-    /// Searches a stage: for the best there or, with `novelty`, for a variation.
-    pub fn hunt(
+    /// Sets up a search of a stage as the preset says: for the best there or, with `novelty`, for a variation.
+    pub fn enter(
         &mut self,
         stage: &Arc<Stage>,
+        preset: &Preset,
         start: &Start,
         novelty: Option<Novelty<'a>>,
-    ) -> Result<Hunt<'a>, JobError> {
-        let (spec, harness) = (self.spec, self.harness);
-        let phase = match &novelty {
-            Some(_) => "Searching variations".into(),
-            None => format!("Searching with {} part boxes", stage.graph.box_center().len()),
-        };
-        let varies = novelty.is_some();
-        let mut objective = Objective::new(
+    ) -> Result<Entrant<'a>, JobError> {
+        let (spec, graph) = (self.spec, &*stage.graph);
+        let objective = Objective::new(
             self.proxy.mesh(),
             stage.scored.clone(),
             &spec.guide,
@@ -187,46 +129,57 @@ impl<'a> Run<'a> {
             self.views,
             &spec.preset,
         )?
+        .symmetric(graph.symmetry())
         .away_from(novelty);
-        let before = objective.evaluate(&[stage.whole.unchanged()], ImagePlan::All)?[0];
-        self.spent.evaluations += 1;
-        harness.update(|p| {
-            p.phase = phase;
-            p.score_before = Some(before.score);
-        });
-        let total = harness.progress().generations.max(1);
-        let generations_before = self.searches * spec.preset.max_generations;
-        let evaluations_before = self.spent.evaluations;
-        let mut shown = self.winner.as_ref().map_or(f64::NEG_INFINITY, |w| w.after.score);
-        let graph = &*stage.graph;
         let mut space = SearchSpace::new(graph.parameter_rows(), spec.locked.as_deref(), spec.scale_range)?;
         if spec.shift_parts {
             space = space.with_shifts(&graph.shift_room(), graph.reach());
         }
-        let footing = spec.preset.footing.then(|| Footing::of(graph, &stage.whole, &space)).flatten();
-        let found =
-            search::search(&mut objective, &space, footing.as_ref(), &spec.preset, start, |generation| {
-                let done = generations_before + generation.number;
-                harness.update(|p| {
-                    p.generation = done;
-                    p.evaluations = evaluations_before + generation.evaluations;
-                    p.fraction = done as f64 / total as f64;
-                });
-                if spec.variations > 1 {
-                    self.pool.add(stage, generation.candidates, generation.worth);
-                }
-                // Until all have been found the best is shown, not a variation on the way.
-                if !varies && generation.best_score > shown {
-                    shown = generation.best_score;
-                    let factors = generation.best_factors.to_vec();
-                    harness.set_best(Best { score: shown, factors, stage: stage.clone() });
-                }
-                check(harness)
-            })?;
-        self.spent.generations += found.generations;
-        self.spent.evaluations += found.evaluations;
-        self.searches += 1;
-        Ok(Hunt { objective, before, found })
+        let footing = preset.footing.then(|| Footing::of(graph, &stage.whole, &space)).flatten();
+        self.spent.renderer = objective.backend_name();
+        let search = Search::new(objective, space, footing, preset, start)?;
+        let mut entrant = Entrant::new(stage.clone(), search)?;
+        self.count(&mut entrant, 1);
+        let before = entrant.before.score;
+        self.harness.update(|p| p.score_before = Some(before));
+        Ok(entrant)
+    }
+
+    /// One generation of a search.
+    pub fn step(&mut self, entrant: &mut Entrant<'a>) -> Result<(), JobError> {
+        check(self.harness)?;
+        entrant.search.step::<JobError>()?;
+        let (candidates, evaluations) = entrant.search.generation();
+        if self.spec.variations > 1 {
+            self.pool.add(&entrant.stage, candidates, evaluations);
+        }
+        let count = candidates.len();
+        self.spent.generations += 1;
+        self.count(entrant, count);
+        let (generation, evaluations) = (self.spent.generations, self.spent.evaluations);
+        self.harness.update(|p| (p.generation, p.evaluations) = (generation, evaluations));
+        Ok(())
+    }
+
+    /// Shows a candidate to those who watch, if none with a higher score was shown.
+    pub fn show(&mut self, stage: &Arc<Stage>, score: f64, factors: &[Vec3]) {
+        if score > self.shown {
+            self.shown = score;
+            self.harness.set_best(Best { score, factors: factors.to_vec(), stage: stage.clone() });
+        }
+    }
+
+    /// Adds what an entrant has spent on so many candidates to what the run has.
+    pub fn count(&mut self, entrant: &mut Entrant<'a>, candidates: usize) {
+        self.spent.evaluations += candidates;
+        self.spent.images += entrant.images_not_counted();
+    }
+
+    /// Keeps what a search found if it beats the winner so far.
+    pub fn keep(&mut self, finalist: Finalist) {
+        if self.winner.as_ref().is_none_or(|winner| finalist.beats(winner)) {
+            self.winner = Some(finalist);
+        }
     }
 
     /// The winner under its gauge, with its record.
@@ -267,6 +220,11 @@ impl<'a> Run<'a> {
                 provider: spec.guide.provider().name().into(),
             },
             preset: spec.preset.name.into(),
+            image_budget: spec.preset.budget.map(|_| self.budget),
+            seconds_budget: match spec.preset.budget {
+                Some(Budget::Seconds(seconds)) => Some(seconds),
+                _ => None,
+            },
             seed: spec.seed,
             splits: best.stage.splits,
             locked: spec.locked.clone(),

@@ -5,15 +5,14 @@
 //! before, as long as the worth is kept. It is then chosen among all candidates of all searches in these boxes:
 //! where the usual search came by another design, that is taken.
 
-use std::sync::Arc;
-
 use glam::Vec3;
 
 use super::JobError;
+use super::entrant::Entrant;
 use super::finalist::{Finalist, improves};
-use super::outcome::{Best, Stage};
-use super::run::{AGAIN, Hunt, Run, WIDE, check};
-use crate::search::{Evaluation, ImagePlan, Novelty, Sketch, Start};
+use super::outcome::Best;
+use super::run::{AGAIN, Run, check};
+use crate::search::{Evaluation, ImagePlan, Novelty, Preset, Sketch, Start, StopReason};
 
 /// Outcomes of one job at most.
 pub const MOST_VARIATIONS: usize = 8;
@@ -21,6 +20,16 @@ pub const MOST_VARIATIONS: usize = 8;
 /// A variation may lose this share of what the best gained, in score and in worth.
 /// Of 36 outcomes asked for of nine objects, 22 were found with 0.05, 30 with 0.1, 33 with 0.15 and as many with 0.25.
 const TOLERANCE: f64 = 0.15;
+
+/// First step sizes of searches near what was given and far from it, in units of the search variable.
+const NEAR: f64 = 0.5;
+const WIDE: f64 = 1.0;
+
+/// Generations of a search for a variation, at most.
+const GENERATIONS: usize = 36;
+
+/// Candidates of its generations, as in a [`Preset`].
+const POPULATION: (f64, f64) = (4.0, 3.5);
 
 /// Searches aim at losing no more than this share of the tolerance: they see a third of the images.
 const AIM: f64 = 0.6;
@@ -49,7 +58,7 @@ impl Bar {
     }
 }
 
-impl Run<'_> {
+impl<'a> Run<'a> {
     /// The variations of the winner, best first, each with its distance from it; as many as are asked for or as
     /// there are.
     pub fn vary(&mut self) -> Result<Vec<(f64, Finalist)>, JobError> {
@@ -73,17 +82,28 @@ impl Run<'_> {
             floor: after.worth() - AIM * slack,
             steep: STEEP,
         };
+        // Candidates are compared over generations, so all are seen by the same images.
+        let preset = Preset {
+            max_generations: GENERATIONS,
+            images: ImagePlan::InTurn,
+            population: POPULATION,
+            ..self.spec.preset
+        };
         self.pool.retain(&stage);
+        self.harness.update(|p| p.phase = "Searching variations".into());
         let mut found = Vec::new();
         for variation in 1..self.spec.variations {
             let seed = !self.spec.seed.wrapping_add(variation as u64 * AGAIN);
             // Another design may be near what was given or far from it.
-            let sigma = if variation % 2 == 1 { self.spec.preset.sigma } else { WIDE };
+            let sigma = if variation % 2 == 1 { NEAR } else { WIDE };
             let start = Start { factors: stage.whole.unchanged(), sigma, seed };
-            let hunt = self.hunt(&stage, &start, Some(novelty.clone()))?;
+            let mut entrant = self.enter(&stage, &preset, &start, Some(novelty.clone()))?;
+            while entrant.search.stop_reason().is_none() {
+                self.step(&mut entrant)?;
+            }
             // A candidate may be worth more than a third of its images say.
             let ranked = std::mem::take(&mut self.pool);
-            let chosen = self.choose(&stage, hunt, &ranked.ranked(&novelty, bar.worth - slack), &bar)?;
+            let chosen = self.choose(&mut entrant, &ranked.ranked(&novelty, bar.worth - slack), &bar)?;
             self.pool = ranked;
             if let Some((drawing, finalist)) = chosen {
                 found.push((Sketch::distance(&drawing, &novelty.others[0]), finalist));
@@ -97,27 +117,23 @@ impl Run<'_> {
     /// The first of the ranked candidates that all images find good enough and that is sound.
     fn choose(
         &mut self,
-        stage: &Arc<Stage>,
-        hunt: Hunt<'_>,
+        entrant: &mut Entrant<'a>,
         ranked: &[(&[Vec3], Vec<Vec3>)],
         bar: &Bar,
     ) -> Result<Option<(Vec<Vec3>, Finalist)>, JobError> {
-        let Hunt { mut objective, found, .. } = hunt;
-        let mut chosen = None;
+        let stop = entrant.search.stop_reason().unwrap_or(StopReason::MaxGenerations);
         for (factors, drawing) in ranked.iter().take(JUDGED) {
             check(self.harness)?;
             let factors = factors.to_vec();
-            let after = objective.evaluate(std::slice::from_ref(&factors), ImagePlan::All)?[0];
-            self.spent.evaluations += 1;
+            let after = entrant.search.judge(std::slice::from_ref(&factors))?[0];
+            self.count(entrant, 1);
+            let stage = &entrant.stage;
             if bar.admits(&after) && self.soundness.holds(&stage.scored.deform(&factors)) {
                 let best = Best { score: after.score, factors, stage: stage.clone() };
-                let (before, stop) = (bar.before, found.stop);
-                let finalist = Finalist { best, before, after, improved: true, sound: true, stop };
-                chosen = Some((drawing.clone(), finalist));
-                break;
+                let finalist = Finalist { best, before: bar.before, after, improved: true, stop };
+                return Ok(Some((drawing.clone(), finalist)));
             }
         }
-        self.spent.images += objective.images_encoded();
-        Ok(chosen)
+        Ok(None)
     }
 }

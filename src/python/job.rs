@@ -15,7 +15,7 @@ use super::guide::PyGuide;
 use super::wording::Asked;
 use crate::guide::Guide;
 use crate::job::{Job, JobSpec, Outcome};
-use crate::search::{KeepPlace, KeepSize, Preset, SCALE_RANGE};
+use crate::search::{Budget, KeepPlace, KeepSize, Preset, SCALE_RANGE};
 
 /// A deformation on a thread of its own; not started when made.
 #[pyclass(frozen, name = "Job", module = "boxmorph")]
@@ -26,7 +26,7 @@ impl PyJob {
     #[new]
     #[pyo3(signature = (mesh, prompt, guide=None, preset="standard", seed=0, *, splits=None, symmetry=None, boundary=None,
                         graph=None, locked=None, scale_range=SCALE_RANGE, shift_parts=false, renderer="auto", keep_size=None,
-                        keep_place="bottom", points=None, variations=1))]
+                        keep_place="bottom", points=None, variations=1, images=None, seconds=None))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of the Python surface")]
     #[expect(clippy::needless_pass_by_value, reason = "pyo3 extracts owned values")]
     fn new(
@@ -48,6 +48,8 @@ impl PyJob {
         keep_place: &str,
         points: Option<&Bound<'_, PyAny>>,
         variations: i64,
+        images: Option<i64>,
+        seconds: Option<f64>,
     ) -> PyResult<Self> {
         let guide = match guide {
             Some(guide) => guide.0.clone(),
@@ -59,7 +61,7 @@ impl PyJob {
             mesh: mesh.0.as_ref().clone(),
             wording: prompt.wording(),
             guide,
-            preset: self::preset(preset)?,
+            preset: self::preset(preset, images, seconds)?,
             seed,
             graph: graph.map(|graph| graph.0.clone()),
             locked: locked.map(|locked| arrays::flags(locked, "locked")).transpose()?,
@@ -211,11 +213,19 @@ impl PyResult_ {
     }
 }
 
-fn preset(name: &str) -> PyResult<Preset> {
-    Preset::by_name(name).ok_or_else(|| {
+fn preset(name: &str, images: Option<i64>, seconds: Option<f64>) -> PyResult<Preset> {
+    let preset = Preset::by_name(name).ok_or_else(|| {
         let names = Preset::ALL.map(|preset| format!("\"{}\"", preset.name)).join(" or ");
         PyValueError::new_err(format!("unknown preset \"{name}\": choose {names}"))
-    })
+    })?;
+    // What is no count is refused as 0 is.
+    let images = images.map(|images| Budget::Images(usize::try_from(images).unwrap_or(0)));
+    let budgets: Vec<Budget> = images.into_iter().chain(seconds.map(Budget::Seconds)).collect();
+    match budgets[..] {
+        [] => Ok(preset),
+        [budget] => preset.with_budget(budget).map_err(|e| PyValueError::new_err(e.to_string())),
+        _ => Err(PyValueError::new_err("give a budget in images or in seconds, not both")),
+    }
 }
 
 fn splits(value: &Bound<'_, PyAny>) -> PyResult<Option<u32>> {

@@ -7,9 +7,10 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use thiserror::Error;
 
-use super::preset::{ImagePlan, NORMAL_WEIGHT, Preset};
+use super::images::{ImagePlan, Views};
+use super::preset::{NORMAL_WEIGHT, Preset};
 use super::{Comparison, Novelty, Target};
-use crate::boxdef::DeformField;
+use crate::boxdef::{DeformField, Symmetry};
 use crate::guide::{Guide, GuideError};
 use crate::mesh::Mesh;
 use crate::render::{self, BACKGROUNDS, Backend, RenderError, Renderer, View};
@@ -60,6 +61,10 @@ pub struct Objective<'a> {
     comparison: Option<Comparison>,
     novelty: Option<Novelty<'a>>,
     renderer: Box<dyn Renderer>,
+    directions: &'a [View],
+    views: Views,
+    /// Generations seen by distinct images.
+    generation: usize,
     preset: &'a Preset,
     rest_normals: Vec<Vec3>,
     /// The views of a generation, where all are drawn in one call.
@@ -109,7 +114,7 @@ impl<'a> Objective<'a> {
         guide: &'a Guide,
         target: &'a Target,
         backend: Backend,
-        views: &[View],
+        views: &'a [View],
         preset: &'a Preset,
     ) -> Result<Self, ObjectiveError> {
         let triangles = mesh.triangles().into();
@@ -123,6 +128,9 @@ impl<'a> Objective<'a> {
             comparison: Comparison::of(target.prompt(), mesh.vertices()),
             novelty: None,
             renderer,
+            directions: views,
+            views: Views::of(views, Symmetry::None),
+            generation: 0,
             preset,
             rest_normals,
             drawn: Vec::new(),
@@ -130,6 +138,12 @@ impl<'a> Objective<'a> {
             evaluations: Vec::new(),
             images_encoded: 0,
         })
+    }
+
+    /// Has candidates that are symmetric seen from one side alone, where the plan says so.
+    #[must_use]
+    pub fn symmetric(self, symmetry: Symmetry) -> Self {
+        Self { views: Views::of(self.directions, symmetry), ..self }
     }
 
     /// Has candidates keep away from other outcomes.
@@ -160,7 +174,8 @@ impl<'a> Objective<'a> {
         candidates: &[Vec<Vec3>],
         plan: ImagePlan,
     ) -> Result<&[Evaluation], ObjectiveError> {
-        let shots = Shots::of(plan.pairs(self.renderer.views()));
+        let shots = Shots::of(self.views.pairs(plan, self.generation));
+        self.generation += usize::from(plan == ImagePlan::Distinct);
         if self.renderer.draws_generations() {
             self.renderer.render(candidates, &shots.views, &mut self.drawn)?;
             render::premultiply(&mut self.drawn);

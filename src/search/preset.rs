@@ -1,38 +1,50 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! Presets: how much is spent on the search, and where.
 
+use thiserror::Error;
+
+use super::ImagePlan;
 use crate::boxdef::{Boundary, Symmetry};
-use crate::render::BACKGROUNDS;
 
 /// Weight of the normal error in the loss.
 pub const NORMAL_WEIGHT: f64 = 0.25;
 
-/// The images that score one candidate.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ImagePlan {
-    /// Every view before every background, as in the paper.
-    All,
-    /// Every view once, the backgrounds taken in turn: a third of the images, and no background favoured.
-    InTurn,
+/// What a search from coarse to fine may cost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Budget {
+    /// Images encoded.
+    Images(usize),
+    /// Seconds from the start of the job.
+    Seconds(f64),
 }
 
-impl ImagePlan {
-    /// The (view, background) pairs of one candidate.
-    #[must_use]
-    pub fn pairs(self, views: usize) -> Vec<(usize, usize)> {
-        match self {
-            Self::All => (0..views).flat_map(|v| (0..BACKGROUNDS.len()).map(move |b| (v, b))).collect(),
-            Self::InTurn => (0..views).map(|v| (v, v % BACKGROUNDS.len())).collect(),
-        }
-    }
+/// The least and the most that a budget can be, in images and in seconds.
+const IMAGES: (usize, usize) = (100, 10_000_000);
+const SECONDS: (f64, f64) = (0.5, 86_400.0);
+
+/// A budget that cannot be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum BudgetError {
+    /// Too few images, or too many.
+    #[error("a budget of images is from {} to {}", IMAGES.0, IMAGES.1)]
+    Images,
+    /// Too little time, or too much.
+    #[error("a budget of seconds is from {} to {}", SECONDS.0, SECONDS.1)]
+    Seconds,
+    /// The preset takes what it takes.
+    #[error("preset \"{0}\" takes no budget: choose another preset, or give no budget")]
+    Preset(&'static str),
 }
 
-/// A budget for the search.
+/// How to search, and what counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Preset {
     /// Its name.
     pub name: &'static str,
-    /// Split counts tried, one after another; the best by all images is kept.
+    /// What may be spent on a search from coarse to fine; `None` searches each split count from scratch and to its
+    /// end.
+    pub budget: Option<Budget>,
+    /// Split counts tried, one after another, from few parts to many; the best by all images is kept.
     pub splits: &'static [u32],
     /// Symmetry of the part boxes.
     pub symmetry: Symmetry,
@@ -42,13 +54,8 @@ pub struct Preset {
     pub population: (f64, f64),
     /// First step size, in units of x.
     pub sigma: f64,
-    /// Whether later split counts start from the best so far ([`super::inherit`]) instead of from scratch.
-    pub inherit: bool,
-    /// Further searches, from scratch and with wide steps, as long as the prompt is not clear of its rivals or the
-    /// outcome crosses itself.
-    pub restarts: usize,
-    /// Share of the triangles that may cross others in an outcome over those of the mesh; one that has more is
-    /// kept only for want of another.
+    /// Share of the triangles that may cross others in an outcome over those of the mesh; one that has more goes
+    /// back towards the mesh until it has not.
     pub max_crossing: Option<f64>,
     /// Generations at most, a search.
     pub max_generations: usize,
@@ -70,13 +77,12 @@ impl Preset {
     /// The protocol of the reference program, to the letter.
     pub const PAPER: Self = Self {
         name: "paper",
+        budget: None,
         splits: &[2, 3, 4],
         symmetry: Symmetry::X,
         boundary: Boundary::Paper,
         population: (12.0, 9.0),
         sigma: 1.0,
-        inherit: false,
-        restarts: 0,
         max_crossing: None,
         max_generations: 80,
         tol_fun: 1e-4,
@@ -90,30 +96,47 @@ impl Preset {
     /// A result in seconds.
     pub const STANDARD: Self = Self {
         name: "standard",
+        budget: Some(Budget::Images(4800)),
         splits: &[2, 3, 4],
         symmetry: Symmetry::Auto,
         boundary: Boundary::Smooth,
-        population: (4.0, 3.5),
-        sigma: 0.5,
-        inherit: true,
-        restarts: 1,
+        population: (6.0, 2.0),
+        sigma: 1.0,
         max_crossing: Some(0.015),
-        max_generations: 36,
+        max_generations: usize::MAX,
         tol_fun: 1e-4,
-        images: ImagePlan::InTurn,
+        images: ImagePlan::Distinct,
         rival_weight: 1.0,
         comparison_weight: 1.0,
-        effort_weight: 0.05,
+        effort_weight: 0.02,
         footing: true,
     };
 
-    /// All presets.
-    pub const ALL: [Self; 2] = [Self::STANDARD, Self::PAPER];
+    /// A first look.
+    pub const DRAFT: Self = Self { name: "draft", budget: Some(Budget::Images(1600)), ..Self::STANDARD };
+
+    /// As good as it gets.
+    pub const BEST: Self = Self { name: "best", budget: Some(Budget::Images(24_000)), ..Self::STANDARD };
+
+    /// All presets, the cheapest first.
+    pub const ALL: [Self; 4] = [Self::DRAFT, Self::STANDARD, Self::BEST, Self::PAPER];
 
     /// The preset of this name.
     #[must_use]
     pub fn by_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|preset| preset.name == name)
+    }
+
+    /// This preset with another budget.
+    pub fn with_budget(self, budget: Budget) -> Result<Self, BudgetError> {
+        let (least, most) = IMAGES;
+        let (shortest, longest) = SECONDS;
+        match budget {
+            _ if self.budget.is_none() => Err(BudgetError::Preset(self.name)),
+            Budget::Images(images) if !(least..=most).contains(&images) => Err(BudgetError::Images),
+            Budget::Seconds(s) if !(shortest..=longest).contains(&s) => Err(BudgetError::Seconds),
+            budget => Ok(Self { budget: Some(budget), ..self }),
+        }
     }
 
     /// Candidates a generation for `dimensions` search variables.

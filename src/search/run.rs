@@ -4,39 +4,9 @@
 use glam::Vec3;
 
 use super::cmaes::{CmaEs, CmaEsOptions};
-use super::{Evaluation, Footing, Objective, ObjectiveError, Preset, SearchError, SearchSpace, StopReason};
-
-/// What is known after each generation.
-#[derive(Debug)]
-pub struct Generation<'a> {
-    /// Generations done.
-    pub number: usize,
-    /// Candidates evaluated.
-    pub evaluations: usize,
-    /// Score of the best candidate (that of least loss) so far.
-    pub best_score: f64,
-    /// Its factors.
-    pub best_factors: &'a [Vec3],
-    /// Factors of this generation's candidates.
-    pub candidates: &'a [Vec<Vec3>],
-    /// What each of them is worth.
-    pub worth: &'a [Evaluation],
-}
-
-/// The end of a search.
-#[derive(Debug)]
-pub struct Found {
-    /// Factors of least loss.
-    pub factors: Vec<Vec3>,
-    /// Factors of the highest score, whatever their loss.
-    pub highest: Vec<Vec3>,
-    /// Generations done.
-    pub generations: usize,
-    /// Candidates evaluated.
-    pub evaluations: usize,
-    /// Why it ended.
-    pub stop: StopReason,
-}
+use super::{
+    Evaluation, Footing, ImagePlan, Objective, ObjectiveError, Preset, SearchError, SearchSpace, StopReason,
+};
 
 /// Where a search starts.
 #[derive(Debug, Clone)]
@@ -49,57 +19,153 @@ pub struct Start {
     pub seed: u64,
 }
 
-/// Minimises the objective's loss over a space from the `start`. A `footing` levels the feet of every candidate
-/// before it is evaluated. `each_generation` may end the search with its own error.
-pub fn search<E: From<SearchError> + From<ObjectiveError>>(
-    objective: &mut Objective<'_>,
-    space: &SearchSpace,
-    footing: Option<&Footing>,
-    preset: &Preset,
-    start: &Start,
-    mut each_generation: impl FnMut(&Generation<'_>) -> Result<(), E>,
-) -> Result<Found, E> {
-    let mut cma = CmaEs::new(CmaEsOptions {
-        start: space.point(&start.factors),
-        sigma: start.sigma,
-        bounds: space.bounds(),
-        population: Some(preset.population(space.dimensions())),
-        seed: start.seed,
-        max_generations: preset.max_generations,
-        tol_fun: preset.tol_fun,
-        ..CmaEsOptions::default()
-    })?;
-    let mut best = (f64::INFINITY, f64::NEG_INFINITY, vec![Vec3::ONE; start.factors.len()]);
-    let mut highest = (f64::NEG_INFINITY, best.2.clone());
-    loop {
-        let mut candidates: Vec<Vec<Vec3>> = cma.ask().iter().map(|x| space.factors(x)).collect();
-        if let Some(footing) = footing {
-            for factors in &mut candidates {
-                footing.level(factors, space.range());
-            }
-        }
-        let evaluations = objective.evaluate(&candidates, preset.images)?;
-        for (evaluation, factors) in evaluations.iter().zip(&candidates) {
-            if evaluation.loss < best.0 {
-                best = (evaluation.loss, evaluation.score, factors.clone());
-            }
-            if evaluation.score > highest.0 {
-                highest = (evaluation.score, factors.clone());
-            }
-        }
-        let losses: Vec<f64> = evaluations.iter().map(|e| e.loss).collect();
-        cma.tell(&losses)?;
-        each_generation(&Generation {
-            number: cma.generation(),
-            evaluations: cma.evaluations(),
-            best_score: best.1,
-            best_factors: &best.2,
-            candidates: &candidates,
-            worth: evaluations,
+/// A search under way. It goes on a generation at a time, for as long as it is worth it.
+pub struct Search<'a> {
+    objective: Objective<'a>,
+    space: SearchSpace,
+    /// Levels the feet of every candidate before it is evaluated.
+    footing: Option<Footing>,
+    images: ImagePlan,
+    cma: CmaEs,
+    candidates: Vec<Vec<Vec3>>,
+    evaluations: Vec<Evaluation>,
+    leader: Vec<Vec3>,
+    best: (f64, Vec<Vec3>),
+    highest: (f64, Vec<Vec3>),
+}
+
+impl<'a> Search<'a> {
+    /// Sets up the search for factors of least loss in the `space`. The `objective` is to judge nothing else
+    /// meanwhile but by [`Search::judge`].
+    pub fn new(
+        objective: Objective<'a>,
+        space: SearchSpace,
+        footing: Option<Footing>,
+        preset: &Preset,
+        start: &Start,
+    ) -> Result<Self, SearchError> {
+        let cma = CmaEs::new(CmaEsOptions {
+            start: space.point(&start.factors),
+            sigma: start.sigma,
+            bounds: space.bounds(),
+            population: Some(preset.population(space.dimensions())),
+            seed: start.seed,
+            max_generations: preset.max_generations,
+            tol_fun: preset.tol_fun,
+            ..CmaEsOptions::default()
         })?;
-        if let Some(stop) = cma.stop_reason() {
-            let (generations, evaluations) = (cma.generation(), cma.evaluations());
-            return Ok(Found { factors: best.2, highest: highest.1, generations, evaluations, stop });
-        }
+        Ok(Self {
+            objective,
+            space,
+            footing,
+            images: preset.images,
+            cma,
+            candidates: Vec::new(),
+            evaluations: Vec::new(),
+            leader: start.factors.clone(),
+            best: (f64::INFINITY, start.factors.clone()),
+            highest: (f64::NEG_INFINITY, start.factors.clone()),
+        })
     }
+
+    /// One generation. Does nothing once there is a [`Search::stop_reason`].
+    pub fn step<E: From<SearchError> + From<ObjectiveError>>(&mut self) -> Result<(), E> {
+        if self.cma.stop_reason().is_some() {
+            return Ok(());
+        }
+        self.candidates =
+            self.cma.ask().iter().map(|x| factors(&self.space, self.footing.as_ref(), x)).collect();
+        let evaluations = self.objective.evaluate(&self.candidates, self.images)?;
+        self.evaluations.clear();
+        self.evaluations.extend_from_slice(evaluations);
+        let mut least = f64::INFINITY;
+        for (evaluation, factors) in self.evaluations.iter().zip(&self.candidates) {
+            if evaluation.loss < least {
+                least = evaluation.loss;
+                self.leader.clone_from(factors);
+            }
+            if evaluation.score > self.highest.0 {
+                self.highest = (evaluation.score, factors.clone());
+            }
+        }
+        if least < self.best.0 {
+            self.best = (least, self.leader.clone());
+        }
+        let losses: Vec<f64> = self.evaluations.iter().map(|e| e.loss).collect();
+        self.cma.tell(&losses)?;
+        Ok(())
+    }
+
+    /// Evaluates factors by every image.
+    pub fn judge(&mut self, factors: &[Vec<Vec3>]) -> Result<&[Evaluation], ObjectiveError> {
+        self.objective.evaluate(factors, ImagePlan::All)
+    }
+
+    /// The last generation's candidates, and what each of them is worth by the images of that generation.
+    #[must_use]
+    pub fn generation(&self) -> (&[Vec<Vec3>], &[Evaluation]) {
+        (&self.candidates, &self.evaluations)
+    }
+
+    /// Generations done.
+    #[must_use]
+    pub fn generations(&self) -> usize {
+        self.cma.generation()
+    }
+
+    /// Candidates of a generation.
+    #[must_use]
+    pub fn population(&self) -> usize {
+        self.cma.population()
+    }
+
+    /// Images encoded so far.
+    #[must_use]
+    pub fn images_encoded(&self) -> usize {
+        self.objective.images_encoded()
+    }
+
+    /// The renderer's name.
+    #[must_use]
+    pub fn backend_name(&self) -> String {
+        self.objective.backend_name()
+    }
+
+    /// Why it is over, once it is.
+    #[must_use]
+    pub fn stop_reason(&self) -> Option<StopReason> {
+        self.cma.stop_reason()
+    }
+
+    /// Factors of least loss in the last generation.
+    #[must_use]
+    pub fn leader(&self) -> &[Vec3] {
+        &self.leader
+    }
+
+    /// Factors of least loss in all generations: the best where each generation is seen by the same images.
+    #[must_use]
+    pub fn best(&self) -> &[Vec3] {
+        &self.best.1
+    }
+
+    /// Factors of the highest score, whatever their loss.
+    #[must_use]
+    pub fn highest(&self) -> &[Vec3] {
+        &self.highest.1
+    }
+
+    /// Factors in the middle of the next generation.
+    #[must_use]
+    pub fn middle(&self) -> Vec<Vec3> {
+        factors(&self.space, self.footing.as_ref(), &self.cma.mean())
+    }
+}
+
+fn factors(space: &SearchSpace, footing: Option<&Footing>, x: &[f64]) -> Vec<Vec3> {
+    let mut factors = space.factors(x);
+    if let Some(footing) = footing {
+        footing.level(&mut factors, space.range());
+    }
+    factors
 }

@@ -4,6 +4,7 @@ import bpy
 settings = bpy.context.scene.boxmorph
 
 settings.preset = "standard"
+settings.seconds = 20.0
 settings.splits = "auto"
 settings.symmetry = "auto"
 settings.keep_size = "height"

@@ -3,8 +3,9 @@ import bpy
 
 settings = bpy.context.scene.boxmorph
 
-settings.preset = "standard"
-settings.splits = "2"
+settings.preset = "draft"
+settings.seconds = 20.0
+settings.splits = "auto"
 settings.symmetry = "auto"
 settings.keep_size = "auto"
 settings.least_scale = 0.3

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! The search on a budget: many short searches of few parts, fewer of more parts that start where the best of those
+//! ended, and the best of all on to the end.
+//!
+//! Where a search of few parts ends decides which optimum one of many parts finds, and costs little. Half of the
+//! budget goes into finding a good start, half into going on from it.
+
+use std::sync::Arc;
+
+use super::JobError;
+use super::entrant::Entrant;
+use super::outcome::Stage;
+use super::run::{AGAIN, Run};
+use crate::search::{Budget, Start, StopReason, inherit};
+
+/// First step size of a search that starts where one of fewer parts ended, in units of the search variable.
+const NARROW: f64 = 0.3;
+
+/// Share of the budget that is spent before the best is gone on with.
+const SCOUTING: f64 = 0.5;
+
+/// Searches of the fewest parts where the budget is [`USUAL`]; more with the power [`GROWTH`] of a larger one.
+const SCOUTS: f64 = 3.0;
+const USUAL: f64 = 4800.0;
+const GROWTH: f64 = 0.45;
+
+/// Searches of more parts, as shares of those of the fewest.
+const FOLLOWERS: [f64; 2] = [0.6, 0.3];
+
+/// Generations after which what a search has come to is judged by every image: this costs a tenth of the images.
+const LOOK: usize = 10;
+
+/// Searches whose outcome is looked at in the end.
+const FINALISTS: usize = 3;
+
+/// Generations after which the pace of a search is known.
+const PACED: usize = 4;
+
+/// The least and the most that a budget in seconds comes to, in images.
+const LEAST_IMAGES: usize = 400;
+const MOST_IMAGES: usize = 1_000_000;
+
+/// Of the seconds asked for, the share that the budget is made for, and that after which searches are broken off.
+const MEANT: f64 = 0.85;
+const LATE: f64 = 0.97;
+
+impl<'a> Run<'a> {
+    /// Searches the stages, from few parts to many, within the budget.
+    pub fn coarse_to_fine(&mut self, stages: &[Arc<Stage>], budget: Budget) -> Result<(), JobError> {
+        let images = match budget {
+            Budget::Images(images) => images,
+            Budget::Seconds(seconds) => self.images_in(seconds, &stages[0])?,
+        };
+        self.budget = images;
+        let end = self.spent.images + images;
+        let mut field: Vec<Entrant<'a>> = Vec::new();
+        let mut number = 0;
+        for (level, stage) in stages.iter().enumerate() {
+            self.tell(stage);
+            let count = searches(level, images);
+            let share = (SCOUTING * images as f64) as usize / (stages.len() * count);
+            let starts = self.starts(stage, &field[..field.len().min(count)], count);
+            for (mut start, number) in starts.into_iter().zip(number..) {
+                start.seed = self.spec.seed.wrapping_add(number * AGAIN);
+                let preset = self.spec.preset;
+                let mut entrant = self.enter(stage, &preset, &start, None)?;
+                self.advance(&mut entrant, share)?;
+                self.judge(&mut entrant)?;
+                field.push(entrant);
+            }
+            number += count as u64;
+            field.sort_by(|a, b| a.loss().total_cmp(&b.loss()));
+        }
+        field.truncate(FINALISTS);
+        // One that ends before the budget does leaves the rest to the next.
+        for entrant in &mut field {
+            self.tell(&entrant.stage.clone());
+            let left = end.saturating_sub(self.spent.images);
+            self.advance(entrant, left)?;
+            self.judge(entrant)?;
+        }
+        for mut entrant in field {
+            let stop = entrant.search.stop_reason().unwrap_or(StopReason::MaxEvaluations);
+            let best = entrant.factors().to_vec();
+            let (finalist, judged) = entrant.finish(best, &self.soundness, stop)?;
+            self.count(&mut entrant, judged);
+            self.keep(finalist);
+        }
+        Ok(())
+    }
+
+    /// Where the searches of a stage start: at the best of fewer parts or, where there are none, at the unchanged
+    /// object.
+    fn starts(&self, stage: &Stage, best: &[Entrant<'_>], count: usize) -> Vec<Start> {
+        let inherited = best.iter().map(|entrant| {
+            let mut factors = stage.whole.unchanged();
+            let scales = inherit(&stage.graph, &entrant.stage.whole.deform(entrant.factors()));
+            factors[..scales.len()].copy_from_slice(&scales);
+            Start { factors, sigma: NARROW, seed: 0 }
+        });
+        let sigma = self.spec.preset.sigma;
+        let fresh = std::iter::repeat_with(|| Start { factors: stage.whole.unchanged(), sigma, seed: 0 });
+        inherited.chain(fresh).take(count).collect()
+    }
+
+    /// Goes on with a search until it has encoded so many more images, or ends.
+    fn advance(&mut self, entrant: &mut Entrant<'a>, images: usize) -> Result<(), JobError> {
+        let end = self.spent.images + images;
+        while entrant.search.stop_reason().is_none() && self.spent.images < end && !self.is_late() {
+            self.step(entrant)?;
+            if entrant.search.generations().is_multiple_of(LOOK) {
+                self.judge(entrant)?;
+            }
+            let fraction = self.spent.images as f64 / self.budget.max(1) as f64;
+            self.harness.update(|p| p.fraction = fraction.min(1.0));
+        }
+        Ok(())
+    }
+
+    /// Judges what a search has come to by every image, and shows it.
+    fn judge(&mut self, entrant: &mut Entrant<'a>) -> Result<(), JobError> {
+        let judged = entrant.judge()?;
+        self.count(entrant, judged);
+        if entrant.has_improved() {
+            self.show(&entrant.stage.clone(), entrant.score(), entrant.factors());
+        }
+        Ok(())
+    }
+
+    /// The images that can be encoded in so many seconds from the start of the job, by the pace of a short search.
+    fn images_in(&mut self, seconds: f64, stage: &Arc<Stage>) -> Result<usize, JobError> {
+        let preset = self.spec.preset;
+        let start = Start { factors: stage.whole.unchanged(), sigma: preset.sigma, seed: self.spec.seed };
+        let mut entrant = self.enter(stage, &preset, &start, None)?;
+        let (images, since) = (self.spent.images, self.harness.seconds());
+        for _ in 0..PACED {
+            self.step(&mut entrant)?;
+        }
+        let pace = (self.spent.images - images) as f64 / (self.harness.seconds() - since).max(1e-3);
+        let left = (MEANT * seconds - self.harness.seconds()).max(0.0);
+        Ok(((pace * left) as usize).clamp(LEAST_IMAGES, MOST_IMAGES))
+    }
+
+    fn is_late(&self) -> bool {
+        matches!(self.spec.preset.budget, Some(Budget::Seconds(seconds)) if self.harness.seconds() >= LATE * seconds)
+    }
+
+    fn tell(&self, stage: &Stage) {
+        let phase = format!("Searching with {} part boxes", stage.graph.box_center().len());
+        self.harness.update(|p| p.phase = phase);
+    }
+}
+
+/// Searches of a stage, the first being that of the fewest parts.
+fn searches(level: usize, images: usize) -> usize {
+    let scouts = (SCOUTS * (images as f64 / USUAL).powf(GROWTH)).round().max(1.0);
+    let share = level.checked_sub(1).map_or(1.0, |later| FOLLOWERS[later.min(FOLLOWERS.len() - 1)]);
+    (share * scouts).ceil() as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_larger_budget_looks_at_more_starts_and_fewer_are_followed() {
+        let counts = |images: usize| [0, 1, 2, 3].map(|level| searches(level, images));
+        assert_eq!(counts(1600), [2, 2, 1, 1]);
+        assert_eq!(counts(4800), [3, 2, 1, 1]);
+        assert_eq!(counts(24_000), [6, 4, 2, 2]);
+        assert_eq!(counts(10), [1, 1, 1, 1]);
+    }
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+//! A search in the running, and the best that it has come to by every image.
+
+use std::sync::Arc;
+
+use glam::Vec3;
+
+use super::JobError;
+use super::finalist::{Finalist, improves};
+use super::outcome::{Best, Stage};
+use super::soundness::Soundness;
+use crate::search::{Evaluation, Search, StopReason};
+
+/// Halvings of the way back to the mesh where an outcome crosses itself.
+const HALVINGS: usize = 6;
+
+/// A search of a stage's boxes.
+pub struct Entrant<'a> {
+    pub stage: Arc<Stage>,
+    pub search: Search<'a>,
+    /// The unchanged object.
+    pub before: Evaluation,
+    /// The best by every image, at first the unchanged object.
+    best: (Evaluation, Vec<Vec3>),
+    counted: usize,
+}
+
+impl<'a> Entrant<'a> {
+    pub fn new(stage: Arc<Stage>, mut search: Search<'a>) -> Result<Self, JobError> {
+        let unchanged = stage.whole.unchanged();
+        let before = search.judge(std::slice::from_ref(&unchanged))?[0];
+        Ok(Self { stage, search, before, best: (before, unchanged), counted: 0 })
+    }
+
+    /// Images encoded since this was last asked.
+    pub fn images_not_counted(&mut self) -> usize {
+        let encoded = self.search.images_encoded();
+        encoded - std::mem::replace(&mut self.counted, encoded)
+    }
+
+    /// Loss of the best, by every image.
+    pub fn loss(&self) -> f64 {
+        self.best.0.loss
+    }
+
+    /// Score of the best, by every image.
+    pub fn score(&self) -> f64 {
+        self.best.0.score
+    }
+
+    /// Whether the best is another shape than what was given.
+    pub fn has_improved(&self) -> bool {
+        improves(&self.best.0, &self.before)
+    }
+
+    /// Factors of the best.
+    pub fn factors(&self) -> &[Vec3] {
+        &self.best.1
+    }
+
+    /// Judges what the search has come to by every image; returns the number of candidates judged.
+    pub fn judge(&mut self) -> Result<usize, JobError> {
+        let candidates = [self.search.leader().to_vec(), self.search.middle()];
+        let judged = self.search.judge(&candidates)?.to_vec();
+        for (evaluation, factors) in judged.into_iter().zip(candidates) {
+            if evaluation.loss < self.best.0.loss {
+                self.best = (evaluation, factors);
+            }
+        }
+        Ok(2)
+    }
+
+    /// What the search found, and the number of candidates judged for it: of the `chosen` factors and those of the
+    /// highest score, the first that are an improvement; as far from the mesh as they do not cross themselves.
+    pub fn finish(
+        &mut self,
+        chosen: Vec<Vec3>,
+        soundness: &Soundness<'_>,
+        stop: StopReason,
+    ) -> Result<(Finalist, usize), JobError> {
+        // Where what the loss likes best is no more like the prompt, the candidate that is most like it.
+        let mut judged = 0;
+        for wanted in [chosen, self.search.highest().to_vec()] {
+            let factors = self.sound(wanted, soundness);
+            let after = self.search.judge(std::slice::from_ref(&factors))?[0];
+            judged += 1;
+            if improves(&after, &self.before) {
+                return Ok((self.finalist(factors, after, true, stop), judged));
+            }
+        }
+        Ok((self.finalist(self.stage.whole.unchanged(), self.before, false, stop), judged))
+    }
+
+    fn finalist(&self, factors: Vec<Vec3>, after: Evaluation, improved: bool, stop: StopReason) -> Finalist {
+        let best = Best { score: after.score, factors, stage: self.stage.clone() };
+        Finalist { best, before: self.before, after, improved, stop }
+    }
+
+    /// The farthest factors on the way from the unchanged object that do not cross themselves.
+    fn sound(&self, factors: Vec<Vec3>, soundness: &Soundness<'_>) -> Vec<Vec3> {
+        if soundness.holds(&self.stage.scored.deform(&factors)) {
+            return factors;
+        }
+        let at = |alpha: f32| factors.iter().map(|&f| Vec3::ONE.lerp(f, alpha)).collect::<Vec<_>>();
+        let (mut sound, mut crossed) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (sound + crossed);
+            if soundness.holds(&self.stage.scored.deform(&at(middle))) {
+                sound = middle;
+            } else {
+                crossed = middle;
+            }
+        }
+        at(sound)
+    }
+}
