@@ -144,11 +144,6 @@ impl<'a> Run<'a> {
     fn is_late(&self) -> bool {
         matches!(self.spec.preset.budget, Some(Budget::Seconds(seconds)) if self.harness.seconds() >= LATE * seconds)
     }
-
-    fn tell(&self, stage: &Stage) {
-        let phase = format!("Searching with {} part boxes", stage.graph.box_center().len());
-        self.harness.update(|p| p.phase = phase);
-    }
 }
 
 /// Searches of a stage, the first being that of the fewest parts.

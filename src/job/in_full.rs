@@ -18,8 +18,7 @@ impl Run<'_> {
             let again = stages[..index].iter().filter(|earlier| Arc::ptr_eq(earlier, stage)).count();
             let seed = self.spec.seed.wrapping_add(again as u64 * AGAIN);
             let start = Start { factors: stage.whole.unchanged(), sigma: preset.sigma, seed };
-            let phase = format!("Searching with {} part boxes", stage.graph.box_center().len());
-            harness.update(|p| p.phase = phase);
+            self.tell(stage);
             let mut entrant = self.enter(stage, &preset, &start, None)?;
             let stop = loop {
                 self.step(&mut entrant)?;

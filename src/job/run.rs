@@ -161,6 +161,12 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
+    /// Tells those who watch what is searched.
+    pub fn tell(&self, stage: &Stage) {
+        let phase = format!("Searching with {} part boxes", stage.graph.box_center().len());
+        self.harness.update(|p| p.phase = phase);
+    }
+
     /// Shows a candidate to those who watch, if none with a higher score was shown.
     pub fn show(&mut self, stage: &Arc<Stage>, score: f64, factors: &[Vec3]) {
         if score > self.shown {

@@ -126,7 +126,10 @@ def messages_of_lists():
 
 def messages_of_library():
     """The phases of a search and of a download, which come from the Rust library."""
-    code = "".join((ROOT / "src" / "job" / name).read_text("utf-8") for name in ("run.rs", "progress.rs"))
+    code = "".join(
+        (ROOT / "src" / "job" / name).read_text("utf-8")
+        for name in ("run.rs", "progress.rs", "variations.rs")
+    )
     found = re.findall(r'"([A-Z][a-z][^"]*)"', code)
     assert {"Waiting", "Finding the parts", "Searching with {} part boxes", "Done"} <= set(found)
     code = "".join((ROOT / "src" / "hub" / name).read_text("utf-8") for name in ("download.rs", "fetch.rs"))

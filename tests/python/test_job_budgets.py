@@ -42,7 +42,7 @@ def test_more_images_find_more(chair, guide):
 def test_what_was_found_in_some_seconds_is_found_again_by_its_record(chair, guide):
     timed = searched(chair, guide, seconds=4.0)
     report = timed.report()
-    assert report["seconds_budget"] == 4.0 and timed.seconds < 6.0
+    assert report["seconds_budget"] == 4.0 and timed.seconds < 12.0
     again = searched(chair, guide, images=report["image_budget"])
     if timed.seconds < 0.95 * 4.0:  # else time ran out before the budget did
         np.testing.assert_array_equal(again.vertices, timed.vertices)

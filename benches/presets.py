@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
+"""What the presets find beside the paper's protocol, and for how many images: every reference mesh, six
+prompts, several seeds, the embedded guide; scores by all twelve images.
+
+Usage: python benches/presets.py ROWS.json [--presets draft standard best paper] [--seeds N] [--record]
+
+Rows are kept in the file as they come, so that a run can be broken off and gone on with: the paper's protocol
+takes twenty seconds a pair and seed. Needs the reference meshes beside the project.
+"""
+
+import argparse
+import collections
+import concurrent.futures
+import json
+import multiprocessing
+import os
+import pathlib
+
+import boxmorph
+import numpy as np
+import reference
+import results
+
+PRESETS = ("draft", "standard", "best", "paper")
+
+#: A score this near the paper's counts as having reached it.
+NEAR = 0.001
+
+
+def search(task):
+    """Runs one job on one thread; returns its row."""
+    number, prompt, preset, seed = task
+    category, vertices, triangles = list(reference.shapes())[number]
+    guide = boxmorph.Guide.open(threads=1)
+    mesh = boxmorph.Mesh(vertices, triangles)
+    job = boxmorph.Job(mesh, prompt, guide=guide, preset=preset, seed=seed, renderer="cpu")
+    job.start()
+    job.join()
+    result = job.result()
+    return {
+        "mesh": f"{category} {number}",
+        "prompt": prompt,
+        "preset": preset,
+        "seed": seed,
+        "before": result.score_before,
+        "after": result.score_after,
+        "normal_error": result.report()["normal_error"],
+        "images": result.images_encoded,
+    }
+
+
+def table(rows):
+    """Lines of Markdown: each preset beside the medians of the paper's protocol."""
+    scores = collections.defaultdict(lambda: collections.defaultdict(list))
+    for row in rows:
+        scores[row["preset"]][row["mesh"], row["prompt"]].append(row)
+    paper = {pair: np.median([row["after"] for row in some]) for pair, some in scores["paper"].items()}
+    columns = (
+        "preset",
+        "pairs × seeds",
+        "images",
+        "of the paper's gain, median",
+        "mean",
+        "a tenth is below",
+        "at least 90 % of it",
+        "at least the paper's median",
+        "spread over seeds",
+        "normal error",
+    )
+    lines = ["| " + " | ".join(columns) + " |", "|---" * len(columns) + "|"]
+    for preset in PRESETS:
+        pairs = {pair: some for pair, some in scores[preset].items() if pair in paper}
+        if not pairs:
+            continue
+        rows = [row for some in pairs.values() for row in some]
+        gains = np.array(
+            [
+                (row["after"] - row["before"]) / (paper[row["mesh"], row["prompt"]] - row["before"])
+                for row in rows
+            ]
+        )
+        reached = np.mean([row["after"] >= paper[row["mesh"], row["prompt"]] - NEAR for row in rows])
+        seeds = max(map(len, pairs.values()))
+        spread = np.mean([np.std([row["after"] for row in some]) for some in pairs.values()])
+        cells = [
+            preset,
+            f"{len(pairs)} × {seeds}",
+            f"{np.mean([row['images'] for row in rows]):,.0f}",
+            f"{np.median(gains):.3f}",
+            f"{np.mean(gains):.3f}",
+            f"{np.quantile(gains, 0.1):.2f}",
+            f"{np.mean(gains >= 0.9):.0%}",
+            f"{reached:.0%}",
+            f"{spread:.4f}" if seeds > 1 else "",
+            f"{np.mean([row['normal_error'] for row in rows]):.3f}",
+        ]
+        lines.append("| " + " | ".join(cells) + " |")
+    return lines
+
+
+def main():
+    """Runs what is missing, and prints the table."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("rows", type=pathlib.Path)
+    parser.add_argument("--presets", nargs="*", choices=PRESETS, default=PRESETS)
+    parser.add_argument("--seeds", type=int, default=5)
+    parser.add_argument("--processes", type=int, default=os.cpu_count())
+    parser.add_argument("--record", action="store_true", help="write the table into RESULTS.md")
+    arguments = parser.parse_args()
+    rows = json.loads(arguments.rows.read_text()) if arguments.rows.is_file() else []
+    done = {(row["mesh"], row["prompt"], row["preset"], row["seed"]) for row in rows}
+    tasks = [
+        (number, prompt, preset, seed)
+        for preset in arguments.presets
+        for seed in range(arguments.seeds)
+        for number, (category, *_) in enumerate(reference.shapes())
+        for prompt in reference.PROMPTS[category]
+        if (f"{category} {number}", prompt, preset, seed) not in done
+    ]
+    # One thread a job, several jobs at a time: what they find does not depend on threads.
+    os.environ["RAYON_NUM_THREADS"] = "1"
+    context = multiprocessing.get_context("spawn")
+    with concurrent.futures.ProcessPoolExecutor(arguments.processes, mp_context=context) as pool:
+        for row in pool.map(search, tasks):
+            rows.append(row)
+            arguments.rows.write_text(json.dumps(rows))
+    lines = table(rows)
+    print("\n".join(lines))
+    if arguments.record:
+        results.write("Presets beside the paper's protocol", "benches/presets.py", lines)
+
+
+if __name__ == "__main__":
+    main()
