@@ -3,6 +3,8 @@
 tests/blender.
 """
 
+import json
+
 import addon_blender as blender
 import numpy as np
 import pytest
@@ -79,3 +81,17 @@ def test_deform_saves_the_file_with_its_key(file, tmp_path, capfd):
     assert "score" in capfd.readouterr().out
     bpy.ops.wm.open_mainfile(filepath=str(output))
     assert "a bar stool" in bpy.data.objects["Chair"].data.shape_keys.key_blocks
+
+
+def test_a_search_takes_the_seconds_of_the_command_line(file, tmp_path):
+    report, output = tmp_path / "report.json", tmp_path / "stool.blend"
+    options = ("--prompt", "a bar stool", "--output", output, "--report", report)
+    assert boxmorph("deform", "--seconds", "2", *options) == 0
+    assert json.loads(report.read_text())["seconds_budget"] == 2.0
+
+
+@pytest.mark.parametrize("options", [("--seconds", "0"), ("--seconds", "5", "--preset", "best")])
+def test_seconds_that_cannot_be_are_wrong_usage(file, options):
+    with pytest.raises(SystemExit) as refused:
+        boxmorph("deform", "--prompt", "a bar stool", *options)
+    assert refused.value.code == 2

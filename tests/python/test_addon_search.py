@@ -97,3 +97,12 @@ def test_parts_are_shifted_where_that_is_asked_for():
     assert np.abs(record["shifts"]).max() > 0
     blender.deform("a sofa")
     assert json.loads(obj.data.shape_keys["boxmorph"])["a sofa"]["shifts"] is None
+
+
+def test_a_search_takes_the_seconds_that_it_is_given():
+    obj = blender.chair()
+    assert bpy.ops.boxmorph.deform(prompt="a bar stool", preset="time", seconds=2.0) == {"FINISHED"}
+    record = blender.addon("shape_key").records(obj.data)["a bar stool"]
+    assert record["seconds_budget"] == 2.0 and record["image_budget"] > 0
+    asked = blender.addon("again").settings_of(record)
+    assert (asked["preset"], asked["seconds"]) == ("time", 2.0)
