@@ -62,8 +62,7 @@ impl<'a> Run<'a> {
             let starts = self.starts(stage, &field[..field.len().min(count)], count);
             for (mut start, number) in starts.into_iter().zip(number..) {
                 start.seed = self.spec.seed.wrapping_add(number * AGAIN);
-                let preset = self.spec.preset;
-                let mut entrant = self.enter(stage, &preset, &start, None)?;
+                let mut entrant = self.enter(stage, &self.spec.preset, &start, None)?;
                 self.advance(&mut entrant, share)?;
                 self.judge(&mut entrant)?;
                 field.push(entrant);
@@ -71,21 +70,45 @@ impl<'a> Run<'a> {
             number += count as u64;
             field.sort_by(|a, b| a.loss().total_cmp(&b.loss()));
         }
-        field.truncate(FINALISTS);
         // One that ends before the budget does leaves the rest to the next.
-        for entrant in &mut field {
+        for entrant in field.iter_mut().take(FINALISTS) {
             self.tell(&entrant.stage.clone());
             let left = end.saturating_sub(self.spent.images);
             self.advance(entrant, left)?;
             self.judge(entrant)?;
         }
-        for mut entrant in field {
+        for (place, mut entrant) in field.into_iter().enumerate() {
+            // Those behind are asked only where none before them is better than what was given.
+            if place >= FINALISTS && self.winner.as_ref().is_some_and(|winner| winner.improved) {
+                break;
+            }
             let stop = entrant.search.stop_reason().unwrap_or(StopReason::MaxEvaluations);
             let best = entrant.factors().to_vec();
             let (finalist, judged) = entrant.finish(best, &self.soundness, stop)?;
             self.count(&mut entrant, judged);
             self.keep(finalist);
         }
+        match stages.last() {
+            Some(stage) if self.winner.as_ref().is_some_and(|winner| !winner.improved) => self.again(stage),
+            _ => Ok(()),
+        }
+    }
+
+    /// Searches a stage once more for the score alone, for half of the budget at most: where the prompt is far off, its rivals lead away from what
+    /// little there is to gain.
+    fn again(&mut self, stage: &Arc<Stage>) -> Result<(), JobError> {
+        let (sigma, seed) = (self.spec.preset.sigma, self.spec.seed.wrapping_sub(AGAIN));
+        let start = Start { factors: stage.whole.unchanged(), sigma, seed };
+        let mut entrant = self.enter(stage, self.again, &start, None)?;
+        let end = self.spent.images + self.budget / 2;
+        while entrant.search.stop_reason().is_none() && self.spent.images < end && !self.is_late() {
+            self.step(&mut entrant)?;
+        }
+        let stop = entrant.search.stop_reason().unwrap_or(StopReason::MaxEvaluations);
+        let best = entrant.search.best().to_vec();
+        let (finalist, judged) = entrant.finish(best, &self.soundness, stop)?;
+        self.count(&mut entrant, judged);
+        self.keep(finalist);
         Ok(())
     }
 
@@ -129,9 +152,9 @@ impl<'a> Run<'a> {
 
     /// The images that can be encoded in so many seconds from the start of the job, by the pace of a short search.
     fn images_in(&mut self, seconds: f64, stage: &Arc<Stage>) -> Result<usize, JobError> {
-        let preset = self.spec.preset;
+        let preset = &self.spec.preset;
         let start = Start { factors: stage.whole.unchanged(), sigma: preset.sigma, seed: self.spec.seed };
-        let mut entrant = self.enter(stage, &preset, &start, None)?;
+        let mut entrant = self.enter(stage, preset, &start, None)?;
         let (images, since) = (self.spent.images, self.harness.seconds());
         for _ in 0..PACED {
             self.step(&mut entrant)?;

@@ -14,6 +14,9 @@ use crate::search::{Evaluation, Search, StopReason};
 /// Halvings of the way back to the mesh where an outcome crosses itself.
 const HALVINGS: usize = 6;
 
+/// Share of what was gained that has to be left where an outcome goes back.
+const WORTH_IT: f64 = 0.5;
+
 /// A search of a stage's boxes.
 pub struct Entrant<'a> {
     pub stage: Arc<Stage>,
@@ -22,6 +25,8 @@ pub struct Entrant<'a> {
     pub before: Evaluation,
     /// The best by every image, at first the unchanged object.
     best: (Evaluation, Vec<Vec3>),
+    /// That of the highest score by every image.
+    highest: (f64, Vec<Vec3>),
     counted: usize,
 }
 
@@ -29,7 +34,8 @@ impl<'a> Entrant<'a> {
     pub fn new(stage: Arc<Stage>, mut search: Search<'a>) -> Result<Self, JobError> {
         let unchanged = stage.whole.unchanged();
         let before = search.judge(std::slice::from_ref(&unchanged))?[0];
-        Ok(Self { stage, search, before, best: (before, unchanged), counted: 0 })
+        let highest = (before.score, unchanged.clone());
+        Ok(Self { stage, search, before, best: (before, unchanged), highest, counted: 0 })
     }
 
     /// Images encoded since this was last asked.
@@ -63,6 +69,9 @@ impl<'a> Entrant<'a> {
         let candidates = [self.search.leader().to_vec(), self.search.middle()];
         let judged = self.search.judge(&candidates)?.to_vec();
         for (evaluation, factors) in judged.into_iter().zip(candidates) {
+            if evaluation.score > self.highest.0 {
+                self.highest = (evaluation.score, factors.clone());
+            }
             if evaluation.loss < self.best.0.loss {
                 self.best = (evaluation, factors);
             }
@@ -71,46 +80,53 @@ impl<'a> Entrant<'a> {
     }
 
     /// What the search found, and the number of candidates judged for it: of the `chosen` factors and those of the
-    /// highest score, the first that are an improvement; as far from the mesh as they do not cross themselves.
+    /// highest score, the first that are an improvement. What crosses itself goes back towards the unchanged object
+    /// until it does not, unless that costs more than half of what was gained.
     pub fn finish(
         &mut self,
         chosen: Vec<Vec3>,
         soundness: &Soundness<'_>,
         stop: StopReason,
     ) -> Result<(Finalist, usize), JobError> {
+        let finalist = |factors: Vec<Vec3>, after: Evaluation, improved: bool, sound: bool| {
+            let best = Best { score: after.score, factors, stage: self.stage.clone() };
+            Finalist { best, before: self.before, after, improved, sound, stop }
+        };
         // Where what the loss likes best is no more like the prompt, the candidate that is most like it.
+        let highest = self.search.highest().to_vec();
         let mut judged = 0;
-        for wanted in [chosen, self.search.highest().to_vec()] {
-            let factors = self.sound(wanted, soundness);
-            let after = self.search.judge(std::slice::from_ref(&factors))?[0];
-            judged += 1;
-            if improves(&after, &self.before) {
-                return Ok((self.finalist(factors, after, true, stop), judged));
+        for wanted in [chosen, self.highest.1.clone(), highest] {
+            let back = sound(&self.stage, &wanted, soundness);
+            let sound = back == wanted;
+            let [far, near] = self.search.judge(&[wanted.clone(), back.clone()])? else { continue };
+            let (far, near) = (*far, *near);
+            judged += 2;
+            let gain = |after: &Evaluation| after.worth() - self.before.worth();
+            if improves(&near, &self.before) && (sound || gain(&near) >= WORTH_IT * gain(&far)) {
+                return Ok((finalist(back, near, true, true), judged));
+            }
+            if improves(&far, &self.before) {
+                return Ok((finalist(wanted, far, true, sound), judged));
             }
         }
-        Ok((self.finalist(self.stage.whole.unchanged(), self.before, false, stop), judged))
+        Ok((finalist(self.stage.whole.unchanged(), self.before, false, true), judged))
     }
+}
 
-    fn finalist(&self, factors: Vec<Vec3>, after: Evaluation, improved: bool, stop: StopReason) -> Finalist {
-        let best = Best { score: after.score, factors, stage: self.stage.clone() };
-        Finalist { best, before: self.before, after, improved, stop }
+/// The farthest factors on the way from the unchanged object that do not cross themselves.
+fn sound(stage: &Stage, factors: &[Vec3], soundness: &Soundness<'_>) -> Vec<Vec3> {
+    if soundness.holds(&stage.scored.deform(factors)) {
+        return factors.to_vec();
     }
-
-    /// The farthest factors on the way from the unchanged object that do not cross themselves.
-    fn sound(&self, factors: Vec<Vec3>, soundness: &Soundness<'_>) -> Vec<Vec3> {
-        if soundness.holds(&self.stage.scored.deform(&factors)) {
-            return factors;
+    let at = |alpha: f32| factors.iter().map(|&f| Vec3::ONE.lerp(f, alpha)).collect::<Vec<_>>();
+    let (mut sound, mut crossed) = (0.0, 1.0);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (sound + crossed);
+        if soundness.holds(&stage.scored.deform(&at(middle))) {
+            sound = middle;
+        } else {
+            crossed = middle;
         }
-        let at = |alpha: f32| factors.iter().map(|&f| Vec3::ONE.lerp(f, alpha)).collect::<Vec<_>>();
-        let (mut sound, mut crossed) = (0.0, 1.0);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (sound + crossed);
-            if soundness.holds(&self.stage.scored.deform(&at(middle))) {
-                sound = middle;
-            } else {
-                crossed = middle;
-            }
-        }
-        at(sound)
     }
+    at(sound)
 }

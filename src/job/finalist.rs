@@ -11,13 +11,16 @@ pub struct Finalist {
     pub after: Evaluation,
     /// Whether it is another shape than what was given.
     pub improved: bool,
+    /// Whether it hardly crosses itself.
+    pub sound: bool,
     pub stop: StopReason,
 }
 
 impl Finalist {
-    /// Another shape goes before what was given, then that of greater worth.
+    /// Another shape goes before what was given, a sound one before one that crosses itself, then that of
+    /// greater worth.
     pub fn beats(&self, other: &Self) -> bool {
-        let rank = |f: &Self| (f.improved, f.after.worth());
+        let rank = |f: &Self| (f.improved, f.sound, f.after.worth());
         rank(self) > rank(other)
     }
 }

@@ -11,7 +11,7 @@ use crate::search::Start;
 impl Run<'_> {
     /// Searches every stage, and keeps the best by every image.
     pub fn each_in_full(&mut self, stages: &[Arc<Stage>]) -> Result<(), JobError> {
-        let (preset, harness) = (self.spec.preset, self.harness);
+        let (preset, harness) = (&self.spec.preset, self.harness);
         let total = stages.len() * preset.max_generations;
         harness.update(|p| p.generations = total);
         for (index, stage) in stages.iter().enumerate() {
@@ -19,7 +19,7 @@ impl Run<'_> {
             let seed = self.spec.seed.wrapping_add(again as u64 * AGAIN);
             let start = Start { factors: stage.whole.unchanged(), sigma: preset.sigma, seed };
             self.tell(stage);
-            let mut entrant = self.enter(stage, &preset, &start, None)?;
+            let mut entrant = self.enter(stage, preset, &start, None)?;
             let stop = loop {
                 self.step(&mut entrant)?;
                 let (candidates, evaluations) = entrant.search.generation();

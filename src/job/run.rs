@@ -41,6 +41,7 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
     let proxy = Proxy::of(&spec.mesh);
     let stages = stages(spec, &proxy, harness)?;
     let sketch = Sketch::of(proxy.mesh());
+    let (again, variation) = (spec.preset.for_score_alone(), spec.preset.for_variations());
     let mut run = Run {
         spec,
         harness,
@@ -54,6 +55,8 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
         winner: None,
         pool: Pool::default(),
         sketch: &sketch,
+        again: &again,
+        variation: &variation,
     };
     match spec.preset.budget {
         Some(budget) => run.coarse_to_fine(&stages, budget)?,
@@ -108,6 +111,10 @@ pub struct Run<'a> {
     pub pool: Pool,
     /// and by what they are compared.
     pub sketch: &'a Sketch<'a>,
+    /// How to search once more where nothing was found,
+    pub again: &'a Preset,
+    /// and for variations.
+    pub variation: &'a Preset,
 }
 
 impl<'a> Run<'a> {
@@ -115,7 +122,7 @@ impl<'a> Run<'a> {
     pub fn enter(
         &mut self,
         stage: &Arc<Stage>,
-        preset: &Preset,
+        preset: &'a Preset,
         start: &Start,
         novelty: Option<Novelty<'a>>,
     ) -> Result<Entrant<'a>, JobError> {
@@ -127,7 +134,7 @@ impl<'a> Run<'a> {
             self.target,
             spec.backend,
             self.views,
-            &spec.preset,
+            preset,
         )?
         .symmetric(graph.symmetry())
         .away_from(novelty);

@@ -12,7 +12,7 @@ use super::entrant::Entrant;
 use super::finalist::{Finalist, improves};
 use super::outcome::Best;
 use super::run::{AGAIN, Run, check};
-use crate::search::{Evaluation, ImagePlan, Novelty, Preset, Sketch, Start, StopReason};
+use crate::search::{Evaluation, Novelty, Sketch, Start, StopReason};
 
 /// Outcomes of one job at most.
 pub const MOST_VARIATIONS: usize = 8;
@@ -24,12 +24,6 @@ const TOLERANCE: f64 = 0.15;
 /// First step sizes of searches near what was given and far from it, in units of the search variable.
 const NEAR: f64 = 0.5;
 const WIDE: f64 = 1.0;
-
-/// Generations of a search for a variation, at most.
-const GENERATIONS: usize = 36;
-
-/// Candidates of its generations, as in a [`Preset`].
-const POPULATION: (f64, f64) = (4.0, 3.5);
 
 /// Searches aim at losing no more than this share of the tolerance: they see a third of the images.
 const AIM: f64 = 0.6;
@@ -82,13 +76,6 @@ impl<'a> Run<'a> {
             floor: after.worth() - AIM * slack,
             steep: STEEP,
         };
-        // Candidates are compared over generations, so all are seen by the same images.
-        let preset = Preset {
-            max_generations: GENERATIONS,
-            images: ImagePlan::InTurn,
-            population: POPULATION,
-            ..self.spec.preset
-        };
         self.pool.retain(&stage);
         self.harness.update(|p| p.phase = "Searching variations".into());
         let mut found = Vec::new();
@@ -97,7 +84,7 @@ impl<'a> Run<'a> {
             // Another design may be near what was given or far from it.
             let sigma = if variation % 2 == 1 { NEAR } else { WIDE };
             let start = Start { factors: stage.whole.unchanged(), sigma, seed };
-            let mut entrant = self.enter(&stage, &preset, &start, Some(novelty.clone()))?;
+            let mut entrant = self.enter(&stage, self.variation, &start, Some(novelty.clone()))?;
             while entrant.search.stop_reason().is_none() {
                 self.step(&mut entrant)?;
             }
@@ -130,7 +117,8 @@ impl<'a> Run<'a> {
             let stage = &entrant.stage;
             if bar.admits(&after) && self.soundness.holds(&stage.scored.deform(&factors)) {
                 let best = Best { score: after.score, factors, stage: stage.clone() };
-                let finalist = Finalist { best, before: bar.before, after, improved: true, stop };
+                let finalist =
+                    Finalist { best, before: bar.before, after, improved: true, sound: true, stop };
                 return Ok(Some((drawing.clone(), finalist)));
             }
         }

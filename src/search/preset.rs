@@ -55,7 +55,7 @@ pub struct Preset {
     /// First step size, in units of x.
     pub sigma: f64,
     /// Share of the triangles that may cross others in an outcome over those of the mesh; one that has more goes
-    /// back towards the mesh until it has not.
+    /// back towards the mesh until it has not, or is kept for want of another.
     pub max_crossing: Option<f64>,
     /// Generations at most, a search.
     pub max_generations: usize,
@@ -137,6 +137,18 @@ impl Preset {
             Budget::Seconds(s) if !(shortest..=longest).contains(&s) => Err(BudgetError::Seconds),
             budget => Ok(Self { budget: Some(budget), ..self }),
         }
+    }
+
+    /// For a search in which candidates of different generations are compared: all are seen by the same images.
+    #[must_use]
+    pub fn for_variations(self) -> Self {
+        Self { max_generations: 36, images: ImagePlan::InTurn, population: (4.0, 3.5), ..self }
+    }
+
+    /// For a search in which nothing counts but the score and what was asked for, where another found nothing.
+    #[must_use]
+    pub fn for_score_alone(self) -> Self {
+        Self { rival_weight: 0.0, effort_weight: 0.0, ..self.for_variations() }
     }
 
     /// Candidates a generation for `dimensions` search variables.

@@ -109,7 +109,8 @@ def session(screen, shots):
     # The curve takes a row of its own.
     keyframe = find(screen, rectangle, "bpy.ops.boxmorph.keyframe_spectrum()", start=below)
 
-    parts_header, search_header, guide_header, views_header = (keyframe[1] + y for y in (30, 57, 83, 110))
+    # Below it is the header of "More to the Prompt", then these.
+    parts_header, search_header, guide_header, views_header = (keyframe[1] + y for y in (57, 83, 110, 136))
     screen.click(keyframe[0], parts_header)
     parts = find(screen, rectangle, "bpy.ops.boxmorph.find_parts(", start=parts_header - rectangle[1])
     screen.click(*parts)

@@ -143,7 +143,7 @@ def test_guide_folders(tmp_path):
         (tmp_path / name).write_text("{ damaged")
     for name in ("vision_model.onnx", "text_model.onnx"):
         (tmp_path / name).write_bytes(b"damaged")
-    refused("json", obj=obj)
+    refused("vision_model.onnx", obj=obj)
 
 
 def test_runtime_library(tmp_path):
