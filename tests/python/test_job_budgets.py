@@ -26,8 +26,8 @@ def test_a_preset_keeps_to_its_budget(chair, guide, preset, images):
 def test_a_budget_of_images_is_kept_to(chair, guide, images):
     result = searched(chair, guide, images=images)
     assert result.report()["image_budget"] == images
-    # Each search has one generation at least, and is judged before and after it.
-    assert result.images_encoded < 1.1 * images + 300
+    # Each search has one generation at least, and is judged before and after it; one more if none finds any.
+    assert result.images_encoded < 1.1 * images + 600
 
 
 def test_more_images_find_more(chair, guide):
