@@ -84,9 +84,7 @@ impl<'a> Run<'a> {
             }
             let stop = entrant.search.stop_reason().unwrap_or(StopReason::MaxEvaluations);
             let best = entrant.factors().to_vec();
-            let (finalist, judged) = entrant.finish(best, &self.soundness, stop)?;
-            self.count(&mut entrant, judged);
-            self.keep(finalist);
+            self.conclude(&mut entrant, best, stop)?;
         }
         match stages.last() {
             Some(stage) if self.winner.as_ref().is_some_and(|winner| !winner.improved) => self.again(stage),
@@ -94,8 +92,8 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Searches a stage once more for the score alone, for half of the budget at most: where the prompt is far off, its rivals lead away from what
-    /// little there is to gain.
+    /// Searches a stage once more for the score alone, for half of the budget at most: where the prompt is far off,
+    /// its rivals lead away from what little there is to gain.
     fn again(&mut self, stage: &Arc<Stage>) -> Result<(), JobError> {
         let (sigma, seed) = (self.spec.preset.sigma, self.spec.seed.wrapping_sub(AGAIN));
         let start = Start { factors: stage.whole.unchanged(), sigma, seed };
@@ -106,10 +104,7 @@ impl<'a> Run<'a> {
         }
         let stop = entrant.search.stop_reason().unwrap_or(StopReason::MaxEvaluations);
         let best = entrant.search.best().to_vec();
-        let (finalist, judged) = entrant.finish(best, &self.soundness, stop)?;
-        self.count(&mut entrant, judged);
-        self.keep(finalist);
-        Ok(())
+        self.conclude(&mut entrant, best, stop)
     }
 
     /// Where the searches of a stage start: at the best of fewer parts or, where there are none, at the unchanged
@@ -135,7 +130,7 @@ impl<'a> Run<'a> {
                 self.judge(entrant)?;
             }
             let fraction = self.spent.images as f64 / self.budget.max(1) as f64;
-            self.harness.update(|p| p.fraction = fraction.min(1.0));
+            self.tell_share(fraction.min(1.0));
         }
         Ok(())
     }

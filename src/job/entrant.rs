@@ -96,18 +96,22 @@ impl<'a> Entrant<'a> {
         let highest = self.search.highest().to_vec();
         let mut judged = 0;
         for wanted in [chosen, self.highest.1.clone(), highest] {
+            let far = self.search.judge(std::slice::from_ref(&wanted))?[0];
+            judged += 1;
+            if !improves(&far, &self.before) {
+                continue;
+            }
             let back = sound(&self.stage, &wanted, soundness);
-            let sound = back == wanted;
-            let [far, near] = self.search.judge(&[wanted.clone(), back.clone()])? else { continue };
-            let (far, near) = (*far, *near);
-            judged += 2;
+            if back == wanted {
+                return Ok((finalist(wanted, far, true, true), judged));
+            }
+            let near = self.search.judge(std::slice::from_ref(&back))?[0];
+            judged += 1;
             let gain = |after: &Evaluation| after.worth() - self.before.worth();
-            if improves(&near, &self.before) && (sound || gain(&near) >= WORTH_IT * gain(&far)) {
+            if improves(&near, &self.before) && gain(&near) >= WORTH_IT * gain(&far) {
                 return Ok((finalist(back, near, true, true), judged));
             }
-            if improves(&far, &self.before) {
-                return Ok((finalist(wanted, far, true, sound), judged));
-            }
+            return Ok((finalist(wanted, far, true, false), judged));
         }
         Ok((finalist(self.stage.whole.unchanged(), self.before, false, true), judged))
     }

@@ -28,15 +28,13 @@ impl Run<'_> {
                     self.show(stage, evaluation.score, factors);
                 }
                 let done = index * preset.max_generations + entrant.search.generations();
-                harness.update(|p| p.fraction = done as f64 / total as f64);
+                self.tell_share(done as f64 / total as f64);
                 if let Some(stop) = entrant.search.stop_reason() {
                     break stop;
                 }
             };
             let best = entrant.search.best().to_vec();
-            let (finalist, judged) = entrant.finish(best, &self.soundness, stop)?;
-            self.count(&mut entrant, judged);
-            self.keep(finalist);
+            self.conclude(&mut entrant, best, stop)?;
         }
         Ok(())
     }

@@ -17,12 +17,15 @@ use crate::boxdef::{BoxDefGraph, Ground};
 use crate::render::{self, View};
 use crate::report::{GuideRecord, Report};
 use crate::search::{
-    Budget, Footing, Novelty, Objective, Preset, Search, SearchSpace, Sketch, Start, Target,
+    Budget, Footing, Novelty, Objective, Preset, Search, SearchSpace, Sketch, Start, StopReason, Target,
 };
 use crate::spectrum::{DEFAULT_RANGE, slider_limits};
 
 /// Between the seeds of searches of the same boxes; far from the small seeds that people choose.
 pub const AGAIN: u64 = 0x9e37_79b9;
+
+/// What a variation takes, as a share of the usual search.
+const VARIATION: f64 = 0.33;
 
 /// Sums over all searches, for the record.
 #[derive(Default)]
@@ -174,6 +177,13 @@ impl<'a> Run<'a> {
         self.harness.update(|p| p.phase = phase);
     }
 
+    /// Tells what share of the usual search is done, or, above 1, how many variations besides.
+    pub fn tell_share(&self, share: f64) {
+        let whole = 1.0 + VARIATION * (self.spec.variations - 1) as f64;
+        let done = share.min(1.0) + VARIATION * (share - 1.0).max(0.0);
+        self.harness.update(|p| p.fraction = p.fraction.max((done / whole).min(1.0)));
+    }
+
     /// Shows a candidate to those who watch, if none with a higher score was shown.
     pub fn show(&mut self, stage: &Arc<Stage>, score: f64, factors: &[Vec3]) {
         if score > self.shown {
@@ -188,11 +198,19 @@ impl<'a> Run<'a> {
         self.spent.images += entrant.images_not_counted();
     }
 
-    /// Keeps what a search found if it beats the winner so far.
-    pub fn keep(&mut self, finalist: Finalist) {
+    /// Ends a search with the `chosen` factors, and keeps what it found if that beats the winner so far.
+    pub fn conclude(
+        &mut self,
+        entrant: &mut Entrant<'a>,
+        chosen: Vec<Vec3>,
+        stop: StopReason,
+    ) -> Result<(), JobError> {
+        let (finalist, judged) = entrant.finish(chosen, &self.soundness, stop)?;
+        self.count(entrant, judged);
         if self.winner.as_ref().is_none_or(|winner| finalist.beats(winner)) {
             self.winner = Some(finalist);
         }
+        Ok(())
     }
 
     /// The winner under its gauge, with its record.

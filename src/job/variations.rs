@@ -87,6 +87,8 @@ impl<'a> Run<'a> {
             let mut entrant = self.enter(&stage, self.variation, &start, Some(novelty.clone()))?;
             while entrant.search.stop_reason().is_none() {
                 self.step(&mut entrant)?;
+                let part = entrant.search.generations() as f64 / self.variation.max_generations as f64;
+                self.tell_share(variation as f64 + part);
             }
             // A candidate may be worth more than a third of its images say.
             let ranked = std::mem::take(&mut self.pool);

@@ -190,3 +190,17 @@ def test_same_seed_same_bytes_on_one_and_two_threads(chair, tmp_path):
         done = subprocess.run(command, env=environment, capture_output=True, check=True)
         digests.add(hashlib.sha256(done.stdout).hexdigest())
     assert len(digests) == 1
+
+
+def test_progress_goes_on_while_variations_are_searched(chair, guide):
+    job = boxmorph.Job(boxmorph.Mesh(*chair), "a bar stool", guide=guide, renderer="cpu", variations=3)
+    job.start()
+    seen = []
+    while not (progress := job.progress())["finished"]:
+        seen.append(progress)
+        time.sleep(0.01)
+    job.join()
+    fractions = [progress["fraction"] for progress in seen]
+    assert fractions == sorted(fractions)
+    varying = {p["fraction"] for p in seen if p["phase"] == "Searching variations"}
+    assert len(varying) > 3 and min(varying) < 0.8
