@@ -13,7 +13,7 @@ use super::client::{Client, Meta, Wanted};
 use super::endpoint::Endpoint;
 use super::fetch::{Announced, Fetch};
 use super::hash::Hash;
-use super::progress::Harness;
+use super::progress::{Harness, Progress};
 use super::registry::{Choice, RemoteFile};
 use super::staging::{RECORD, Staging};
 
@@ -55,6 +55,14 @@ struct RecordedFile<'a> {
 
 /// Does the work, and returns the guide's folder: the one made, or where the guide was all along.
 pub fn run(spec: &DownloadSpec, harness: &Harness) -> Result<PathBuf, HubError> {
+    bring(spec, harness).map_err(|error| {
+        let Progress { bytes, total, .. } = harness.progress();
+        let missing = if total == 0 { spec.choice.bytes() } else { total.saturating_sub(bytes) };
+        error.of_guide(&spec.root, missing)
+    })
+}
+
+fn bring(spec: &DownloadSpec, harness: &Harness) -> Result<PathBuf, HubError> {
     let choice = &spec.choice;
     let target = spec.root.join(choice.folder_name());
     if target.exists() {
@@ -151,8 +159,9 @@ fn check(file: &RemoteFile, meta: &Meta, endpoint: &Endpoint) -> Result<(Hash, u
 
 fn check_room(root: &Path, needed: u64) -> Result<(), HubError> {
     fs::create_dir_all(root).map_err(|error| HubError::folder(root, &error))?;
+    let needed = needed.saturating_add(RESERVE);
     match fs4::available_space(root) {
-        Ok(free) if free < needed.saturating_add(RESERVE) => {
+        Ok(free) if free < needed => {
             Err(HubError::NoSpace { folder: root.display().to_string(), needed, free })
         }
         // Where the system does not say, the disk will.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! What can go wrong on the way from the hub to a folder.
 
+use std::io::{self, ErrorKind};
+use std::path::Path;
 use std::time::Duration;
 
 use thiserror::Error;
@@ -202,15 +204,25 @@ pub enum HubError {
         /// The host.
         host: String,
     },
-    /// The disk is too full.
+    /// The disk is too full to begin.
     #[error("there is no room in {folder}: {} more are needed, {} are free. Free some, or name another guides folder", megabytes(*.needed), megabytes(*.free))]
     NoSpace {
         /// The guides folder.
         folder: String,
-        /// Bytes still to come.
+        /// Bytes still to come, and some to stay free.
         needed: u64,
         /// Bytes free.
         free: u64,
+    },
+    /// The disk, or the user's share of it, became full on the way.
+    #[error("{folder} took no more ({reason}); {} are still to come. Make room there and download again: it goes on from where it is. Or name another guides folder", megabytes(*.needed))]
+    Full {
+        /// The guides folder.
+        folder: String,
+        /// What the system says.
+        reason: String,
+        /// Bytes still to come.
+        needed: u64,
     },
     /// The folder does not take files.
     #[error("{path} cannot be written ({reason}); check its permissions, or name another guides folder")]
@@ -243,8 +255,24 @@ impl HubError {
     }
 
     /// The error of a file or folder that cannot be made or written.
-    pub(super) fn folder(path: &std::path::Path, error: &std::io::Error) -> Self {
-        Self::Folder { path: path.display().to_string(), reason: error.to_string() }
+    pub(super) fn folder(path: &Path, error: &io::Error) -> Self {
+        let (path, reason) = (path.display().to_string(), error.to_string());
+        match error.kind() {
+            ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
+                Self::Full { folder: path, reason, needed: 0 }
+            }
+            _ => Self::Folder { path, reason },
+        }
+    }
+
+    /// Of a disk that became full: the guides folder, and how much is still to come.
+    pub(super) fn of_guide(self, root: &Path, missing: u64) -> Self {
+        match self {
+            Self::Full { reason, .. } => {
+                Self::Full { folder: root.display().to_string(), reason, needed: missing }
+            }
+            other => other,
+        }
     }
 }
 

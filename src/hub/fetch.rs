@@ -2,7 +2,7 @@
 //! One file, from the server to the disk: what is here already is kept, what comes is checked.
 
 use std::fs::{File, OpenOptions};
-use std::io::{ErrorKind, Read, Write};
+use std::io::{Read, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -80,7 +80,7 @@ impl Fetch<'_> {
 
     /// One try: hashes what is here, adds what is missing, and compares. `reached` is how far the file goes.
     fn run(&self, announced: &Announced, part: &Path, reached: &mut u64) -> Result<(), HubError> {
-        let failed = |error: std::io::Error| disk_error(part, announced.bytes, &error);
+        let failed = |error: std::io::Error| HubError::folder(part, &error);
         let mut hasher = announced.hash.hasher(announced.bytes);
         let mut file = OpenOptions::new().create(true).read(true).append(true).open(part).map_err(failed)?;
         let mut here = file.metadata().map_err(failed)?.len();
@@ -167,14 +167,4 @@ impl Fetch<'_> {
 fn wrong(announced: &Announced) -> HubError {
     let host = endpoint::host(&announced.wanted.address);
     HubError::WrongHash { file: announced.wanted.file.clone(), host }
-}
-
-fn disk_error(part: &Path, bytes: u64, error: &std::io::Error) -> HubError {
-    if error.kind() != ErrorKind::StorageFull {
-        return HubError::folder(part, error);
-    }
-    let folder = part.parent().unwrap_or(part);
-    let free = fs4::available_space(folder).unwrap_or(0);
-    let here = part.metadata().map_or(0, |meta| meta.len());
-    HubError::NoSpace { folder: folder.display().to_string(), needed: bytes.saturating_sub(here), free }
 }
