@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""A disk that becomes full while a guide is downloaded: first there was room, then another program took it."""
+"""A disk that becomes full while a guide is downloaded: first there was room, then something else took it."""
 
 import os
 import re
