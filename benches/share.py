@@ -26,13 +26,13 @@ MINI = pathlib.Path(__file__).resolve().parents[1] / "guides" / "mini"
 THREADS = 2
 
 
-def bare_encoder(folder, size):
+def bare_encoder(folder, size, threads=THREADS):
     """A function that encodes a number of candidates' images with nothing around it."""
     places = [folder / "vision_model.onnx", folder / "onnx" / "vision_model.onnx"]
     path = next(place for place in places if place.is_file())
-    sessions = THREADS if path.stat().st_size <= SMALL else 1
+    sessions = threads if path.stat().st_size <= SMALL else 1
     options = onnxruntime.SessionOptions()
-    options.intra_op_num_threads, options.inter_op_num_threads = THREADS // sessions, 1
+    options.intra_op_num_threads, options.inter_op_num_threads = threads // sessions, 1
     opened = [onnxruntime.InferenceSession(path, options) for _ in range(sessions)]
     pixels = np.random.default_rng(0).random((IMAGES, 3, size, size), np.float32)
     threads = ThreadPoolExecutor(sessions)

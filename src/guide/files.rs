@@ -33,12 +33,12 @@ pub struct GuideFiles {
     pub name: String,
     pub vision: Network,
     pub text: Network,
-    pub tokenizer: Vec<u8>,
     pub preprocessor: Value,
     pub precision: &'static str,
     tokenizer_config: Value,
     config: Value,
-    hash: String,
+    sources: Vec<Source>,
+    files: OtherFiles,
 }
 
 impl GuideFiles {
@@ -62,9 +62,14 @@ impl GuideFiles {
         let extra = optional(folder, TOKENIZER_CONFIG)?;
         let (sources, vision, text) = match &layout.networks {
             Networks::Separate { vision, text } => {
-                let (vision, text) = (Source::read(vision)?, Source::read(text)?);
-                let networks = (vision.network(Role::Vision)?, text.network(Role::Text)?);
-                (vec![vision, text], networks.0, networks.1)
+                let read = |path: &Path, role| -> Result<_, GuideError> {
+                    let source = Source::read(path)?;
+                    let network = source.network(role)?;
+                    Ok((source, network))
+                };
+                let (vision, text) = rayon::join(|| read(vision, Role::Vision), || read(text, Role::Text));
+                let ((vision, vision_network), (text, text_network)) = (vision?, text?);
+                (vec![vision, text], vision_network, text_network)
             }
             Networks::Combined(path) => {
                 let both = Source::read(path)?;
@@ -73,7 +78,7 @@ impl GuideFiles {
             }
         };
         let files = OtherFiles { tokenizer, preprocessor, config, tokenizer_config: extra };
-        Self::new(name, &sources, (vision, text), files, layout.precision)
+        Self::new(name, sources, (vision, text), files, layout.precision)
     }
 
     /// The guide compiled into the library.
@@ -92,17 +97,16 @@ impl GuideFiles {
             config: include_bytes!("../../guides/mini/config.json").to_vec(),
             tokenizer_config: None,
         };
-        Self::new("mini".into(), &[vision, text], networks, files, "fp32")
+        Self::new("mini".into(), vec![vision, text], networks, files, "fp32")
     }
 
     fn new(
         name: String,
-        sources: &[Source],
+        sources: Vec<Source>,
         (vision, text): (Network, Network),
         files: OtherFiles,
         precision: &'static str,
     ) -> Result<Self, GuideError> {
-        let hash = hash(sources, &files);
         let preprocessor = json("preprocessor_config.json", &files.preprocessor)?;
         Ok(Self {
             name,
@@ -115,14 +119,32 @@ impl GuideFiles {
                 None => Value::Null,
             },
             config: json("config.json", &files.config)?,
-            tokenizer: files.tokenizer,
-            hash,
+            sources,
+            files,
         })
     }
 
-    /// SHA-256 over all files in a fixed order, in hexadecimal.
-    pub fn hash(&self) -> &str {
-        &self.hash
+    /// The bytes of its tokenizer.
+    pub fn tokenizer(&self) -> &[u8] {
+        &self.files.tokenizer
+    }
+
+    /// SHA-256 over all files in a fixed order, in hexadecimal. Takes some tenths of a second for a large guide.
+    pub fn hash(&self) -> String {
+        use std::fmt::Write;
+        let mut hasher = Sha256::new();
+        let models = self.sources.iter().map(|source| source.model.as_ref());
+        let OtherFiles { tokenizer, preprocessor, config, tokenizer_config } = &self.files;
+        let others = [tokenizer, preprocessor, config].map(Vec::as_slice);
+        let weights = self.sources.iter().flat_map(|source| &source.external).map(|(_, data)| data.as_ref());
+        for bytes in models.chain(others).chain(tokenizer_config.as_deref()).chain(weights) {
+            hasher.update((bytes.len() as u64).to_le_bytes());
+            hasher.update(bytes);
+        }
+        hasher.finalize().iter().fold(String::new(), |mut text, byte| {
+            let _ = write!(text, "{byte:02x}");
+            text
+        })
     }
 
     /// The names the guide was taught (`boxmorph.classes` of its configuration).
@@ -214,22 +236,6 @@ impl Source {
     fn network(&self, role: Role) -> Result<Network, GuideError> {
         Network::of_model(&self.file, &self.model, &self.external, role)
     }
-}
-
-fn hash(sources: &[Source], files: &OtherFiles) -> String {
-    use std::fmt::Write;
-    let mut hasher = Sha256::new();
-    let models = sources.iter().map(|source| source.model.as_ref());
-    let others = [&files.tokenizer, &files.preprocessor, &files.config].map(Vec::as_slice);
-    let weights = sources.iter().flat_map(|source| &source.external).map(|(_, data)| data.as_ref());
-    for bytes in models.chain(others).chain(files.tokenizer_config.as_deref()).chain(weights) {
-        hasher.update((bytes.len() as u64).to_le_bytes());
-        hasher.update(bytes);
-    }
-    hasher.finalize().iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
 }
 
 /// Whether `path` is a file; an error where something else, or a link to nothing, is in its place.

@@ -131,13 +131,17 @@ impl Guide {
         check_images(&files.vision, preprocess.size)?;
         let text = Text::new(files)?;
         check_vocabulary(&files.text, text.vocabulary_size())?;
-        let network = prologue::extend(&files.vision, preprocess.size)?;
-        let vision = Encoder::open(&environment, &network, provider, sessions, intra)?;
-        drop(network);
+        let open_vision = || {
+            let network = prologue::extend(&files.vision, preprocess.size)?;
+            Encoder::open(&environment, &network, provider, sessions, intra)
+        };
         // One prompt a search: not worth another device's start.
-        let text_encoder = Encoder::open(&environment, &files.text, Provider::Cpu, 1, intra)?;
+        let open_text = || Encoder::open(&environment, &files.text, Provider::Cpu, 1, intra);
+        // Each keeps one processor busy.
+        let (vision, (text_encoder, hash)) = rayon::join(open_vision, || (open_text(), files.hash()));
+        let (vision, text_encoder) = (vision?, text_encoder?);
         let mut guide = Self {
-            hash: files.hash().to_owned(),
+            hash,
             classes: files.classes(),
             class_embeddings: OnceLock::new(),
             name: files.name.clone(),

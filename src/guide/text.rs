@@ -54,7 +54,7 @@ enum Form {
 impl Text {
     pub fn new(files: &GuideFiles) -> Result<Self, GuideError> {
         let bad = |reason: String| GuideError::BadJson { file: "tokenizer.json", reason };
-        let mut tokenizer = guarded(|| Tokenizer::from_bytes(&files.tokenizer)).map_err(bad)?;
+        let mut tokenizer = guarded(|| Tokenizer::from_bytes(files.tokenizer())).map_err(bad)?;
         let long = |length: usize| length > MAX_TOKENS;
         if tokenizer.get_padding().is_some_and(|padding| {
             matches!(padding.strategy, PaddingStrategy::Fixed(length) if long(length))
