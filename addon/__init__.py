@@ -8,7 +8,7 @@ import bpy
 
 from . import translations
 from .command_line import command
-from .core import guide_downloads
+from .core import guide_copies, guide_downloads
 from .interface import bug_report, outcome_panel, panels, preferences_editor, setting_presets
 from .operators import (
     evaluation_operators,
@@ -60,6 +60,7 @@ def register():
 
 
 def unregister():
+    guide_copies.stop()
     guide_downloads.stop()
     search_operators.unregister_operators()
     while _commands:

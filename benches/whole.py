@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
-"""What whole jobs with a large guide take: opening it, seconds, memory, and the share of the bare encoder's speed.
+"""What whole jobs with a large guide take: opening it, time, memory, the share of the bare encoder's speed.
 
 Usage: python benches/whole.py GUIDE_FOLDER [--presets draft standard] [--prompt TEXT] [--threads N]
 
 GUIDE_FOLDER is such as tests/python/random_clip.py makes, or a guide that was downloaded. Each job runs in a
-process of its own, whose peak memory includes Python, numpy and the mesh. The bare encoder is ONNX Runtime called
-from Python on pixels that lie ready, with the same threads; it is measured before and after each job, as other
-programs on the machine slow down both. The share is of the seconds that it would take for the job's images.
+process of its own, whose peak memory includes Python, numpy and the mesh. The bare encoder is ONNX Runtime
+called from Python on pixels that lie ready, with the same threads, before and after each job. The share is of
+the seconds that it would take for the job's images. The machine must have nothing else to do: jobs give way
+to other programs, and the bare encoder does not.
 """
 
 import argparse
@@ -85,8 +86,9 @@ def main():
         images = figures["images"]
         bare_wall, bare_cpu = (sum(each) / (2 * RUNS * IMAGES) for each in zip(*rounds, strict=True))
         print(
-            f"{preset}: guide open in {figures['opening']:.2f} s, {images} images in {figures['wall']:.1f} s, "
-            f"{figures['cpu']:.1f} s of all cores, peak memory {figures['peak'] / 1e6:.0f} MB, "
+            f"{preset}: guide open in {figures['opening']:.2f} s, {images} images in "
+            f"{figures['wall']:.1f} s, {figures['cpu']:.1f} s of all cores, "
+            f"peak memory {figures['peak'] / 1e6:.0f} MB, "
             f"score {figures['before']:.4f} to {figures['after']:.4f}"
         )
         print(

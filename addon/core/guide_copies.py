@@ -1,22 +1,48 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Copies of guides in eight bits: smaller, faster on most processors, a little less exact."""
+"""Copies of guides in eight bits: smaller, faster on most processors, a little less exact.
+
+The work runs on a thread of the Rust module. A timer looks at it, as with downloads.
+"""
 
 import os
+import time
+from dataclasses import dataclass, field
 
-from ..errors import Refusal
-from . import engine, guides
+import bpy
+
+from ..errors import Refusal, remember
+from ..redraw import redraw_preferences
+from . import engine, guide_downloads, guides
 
 #: What the name of a copy's folder ends in.
 _ENDING = "-8bit"
 
+_TICK_SECONDS = 0.2
 
-def eight_bit_copy(folder):
-    """Write a copy of the guide in `folder` into the guides folder; return the copy's folder, and the figures
-    of `boxmorph.Guide.quantize`. None is the embedded guide. Takes about a minute for a large one. Raises
-    Refusal.
+
+@dataclass
+class _State:
+    """The copy that is being made, or how the last one ended."""
+
+    work: object = None
+    folder: str = ""
+    progress: dict = field(default_factory=dict)
+    is_cancelled: bool = False
+    figures: dict | None = None
+    refusal: Refusal | None = None
+
+
+state = _State()
+
+
+def start(folder):
+    """Start to write a copy of the guide in `folder` into the guides folder, which takes about a minute for a
+    large one. None is the embedded guide. Raises Refusal.
     """
     if folder is None:
         raise Refusal("The embedded guide is fast as it is. Choose a large one first")
+    if state.work is not None:
+        raise Refusal("A copy is being made. Wait for it, or cancel it first")
     copy = os.path.join(guides.root(), os.path.basename(folder) + _ENDING)
     if os.path.exists(copy):
         raise Refusal("{folder} is there already. Choose that guide, or delete it first", folder=copy)
@@ -25,9 +51,45 @@ def eight_bit_copy(folder):
     engine.close_guide()
     try:
         os.makedirs(guides.root(), exist_ok=True)
-        return copy, boxmorph.Guide.quantize(folder, copy)
-    except (boxmorph.GuideError, ValueError, OSError) as error:
+        work = boxmorph.EightBitCopy(folder, copy)
+        work.start()
+    except (RuntimeError, OSError) as error:
         raise Refusal(engine.capitalised(engine.sentence(error))) from error
+    state.work, state.folder, state.progress = work, copy, work.progress()
+    state.is_cancelled, state.figures, state.refusal = False, None, None
+
+
+def watch():
+    """Let a timer look at the copy until it is there; it is then chosen."""
+    if not bpy.app.timers.is_registered(_tick):
+        bpy.app.timers.register(_tick, first_interval=_TICK_SECONDS, persistent=True)
+
+
+def wait():
+    """Wait for the copy; return its folder and the figures of `boxmorph.Guide.quantize`. Raises Refusal."""
+    while not _poll():
+        time.sleep(_TICK_SECONDS)
+    return _end()
+
+
+def cancel():
+    """Ask the work to stop; nothing of the copy is left then."""
+    if state.work is not None:
+        state.is_cancelled = True
+        state.work.cancel()
+
+
+def stop():
+    """Stop the work and wait for it: the extension is disabled, or Blender quits."""
+    if bpy.app.timers.is_registered(_tick):
+        bpy.app.timers.unregister(_tick)
+    if state.work is not None:
+        cancel()
+        try:
+            _end()
+        except Refusal:
+            pass
+    state.figures = state.refusal = None
 
 
 def summary(figures, say=str):
@@ -43,3 +105,40 @@ def summary(figures, say=str):
         cosine=figures["cosine_mean"],
         order=figures["rank_mean"],
     )
+
+
+def _poll():
+    """Look how far the copy is; return whether the work has ended."""
+    state.progress = state.work.progress()
+    return state.progress["finished"]
+
+
+def _tick():
+    """Called by the timer."""
+    if state.work is None:
+        return None
+    ended = _poll()
+    if ended:
+        try:
+            folder, _figures = _end()
+            guide_downloads.choose(folder)
+        except Refusal:
+            pass
+    redraw_preferences()
+    return None if ended else _TICK_SECONDS
+
+
+def _end():
+    """Forget the work; return the copy's folder and its figures. Raises Refusal, kept to be shown."""
+    boxmorph = engine.library()
+    work, state.work = state.work, None
+    try:
+        work.join()
+        state.figures = work.result()
+        return state.folder, state.figures
+    except boxmorph.Cancelled as error:
+        raise Refusal(engine.capitalised(engine.sentence(error))) from error
+    except (boxmorph.GuideError, ValueError, RuntimeError) as error:
+        state.refusal = Refusal(engine.capitalised(engine.sentence(error)))
+        remember(str(state.refusal))
+        raise state.refusal from error

@@ -15,7 +15,7 @@ from ..core import engine, guides
 from ..errors import Refusal, tells_refusals
 from ..preferences import PACKAGE, RENDERERS, preferences
 from ..sidebar import CONTEXT
-from . import guide_download
+from . import guide_copy_progress, guide_download
 from .lines import draw_lines
 
 #: Numbers of the choices of `guide` that are always there; the guides found are counted on from the last.
@@ -174,9 +174,7 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
         if self.guide == "FOLDER":
             box.prop(self, "guide_folder")
         draw_lines(box, guide_lines(iface_), letters)
-        row = box.row(align=True)
-        row.operator("boxmorph.check_guide", icon="FILE_REFRESH")
-        row.operator("boxmorph.quantize_guide", icon="MOD_DECIM")
+        guide_copy_progress.draw(box, letters)
         box.separator()
         box.prop(self, "guides_folder")
         found = guides.found()

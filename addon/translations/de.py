@@ -588,10 +588,25 @@ MESSAGES = {
         "Eine Kopie des gewählten Leitmodells anlegen, deren Bildnetz in acht Bit rechnet, messen, wie weit "
         "sie mit dem genauen übereinstimmt, und sie wählen. Gut für Entwürfe; das genaue Leitmodell bleibt"
     ),
-    ("*", "Blender waits for it, about a minute for a large guide"): (
-        "Blender wartet darauf, bei einem großen Leitmodell etwa eine Minute"
+    ("*", "It takes about a minute for a large guide; you can work on meanwhile"): (
+        "Das dauert bei einem großen Leitmodell etwa eine Minute; Sie können derweil weiterarbeiten"
     ),
     ("*", "Make Copy"): "Kopie anlegen",
+    ("*", "A copy is being made. Wait for it, or cancel it first"): (
+        "Es wird gerade eine Kopie angelegt. Warten Sie darauf, oder brechen Sie erst ab"
+    ),
+    ("Operator", "Cancel Copy"): "Kopie abbrechen",
+    ("*", "Stop making the copy. Nothing of it is left"): (
+        "Die Kopie nicht zu Ende bringen. Es bleibt nichts von ihr zurück"
+    ),
+    ("*", "8-bit copy: {phase}, {percent} %"): "8-Bit-Kopie: {phase}, {percent} %",
+    ("*", "Reading the guide"): "Liest das Leitmodell",
+    ("*", "Making it smaller"): "Verkleinert es",
+    ("*", "Writing the copy"): "Schreibt die Kopie",
+    ("*", "Opening both"): "Öffnet beide",
+    ("*", "Comparing them"): "Vergleicht beide",
+    ("*", "Cancelling"): "Bricht ab",
+    ("*", "Interrupted; nothing of the copy is left"): "Unterbrochen; von der Kopie bleibt nichts zurück",
     ("*", "The embedded guide is fast as it is. Choose a large one first"): (
         "Das eingebaute Leitmodell ist schon schnell. Wählen Sie erst ein großes"
     ),

@@ -12,6 +12,7 @@ from . import _boxmorph
 from ._boxmorph import (
     BoxDefGraph,
     Cancelled,
+    EightBitCopy,
     Guide,
     GuideError,
     Job,
@@ -34,6 +35,7 @@ from ._boxmorph import (
 __all__ = [
     "BoxDefGraph",
     "Cancelled",
+    "EightBitCopy",
     "Guide",
     "GuideError",
     "Job",

@@ -148,6 +148,7 @@ class Guide:
         `file`, the sizes `exact_bytes` and `bytes`, and how far the two agree on `images` of candidates:
         `cosine_mean` and `cosine_min` between their embeddings, `rank_mean` and `rank_min`, Spearman's
         correlation of the orders in which prompts put the candidates, and both speeds. Raises GuideError.
+        `EightBitCopy` does the same on a thread of its own.
         """
 
     def text_embedding(self, text: str) -> NDArray[np.float32]: ...  # (d,)
@@ -178,6 +179,29 @@ class Guide:
     def precision(self) -> str: ...
     @property
     def provider_note(self) -> str | None: ...
+
+class EightBitCopy:
+    """A copy of a guide in eight bits, made on a thread of its own; not started when made. See
+    `Guide.quantize` for the arguments and the result.
+    """
+
+    def __init__(
+        self,
+        folder: str | PathLike[str],
+        output: str | PathLike[str] | None = None,
+        threads: int | None = None,
+    ) -> None: ...
+    def start(self) -> None: ...
+    def progress(self) -> dict[str, Any]:
+        """The copy as it stands now: phase, fraction (0 to 1), finished."""
+
+    def cancel(self) -> None:
+        """Asks it to stop, which it does after the step it is in, some seconds at most; nothing is left."""
+
+    def join(self) -> None:
+        """Waits for the end. Raises Cancelled, GuideError, ValueError or RuntimeError."""
+
+    def result(self) -> dict[str, Any]: ...
 
 class Wording:
     """What is asked for, where a prompt alone does not say it. A Job takes it in the prompt's place."""

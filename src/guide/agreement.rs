@@ -51,12 +51,24 @@ pub struct Agreement {
 }
 
 impl Agreement {
-    /// Encodes the pictures with both. Both texts are the exact guide's.
-    pub fn measure(exact: &Guide, fast: &Guide) -> Result<Self, GuideError> {
+    /// Encodes the pictures with both. Both texts are the exact guide's. `reached` is told the share that is done,
+    /// and may end it.
+    pub fn measure(
+        exact: &Guide,
+        fast: &Guide,
+        reached: impl Fn(f64) -> Result<(), GuideError>,
+    ) -> Result<Self, GuideError> {
         let images = pictures(exact.image_size())?;
-        let timed = |guide: &Guide| -> Result<(Vec<f32>, f64), GuideError> {
+        let total = 2 * images.len();
+        let mut done = 0;
+        let mut timed = |guide: &Guide| -> Result<(Vec<f32>, f64), GuideError> {
             let start = Instant::now();
-            let embeddings = guide.image_embeddings(&images)?;
+            let mut embeddings = Vec::new();
+            for images in images.chunks(guide.bytes_at_once()) {
+                reached(done as f64 / total as f64)?;
+                embeddings.extend(guide.image_embeddings(images)?);
+                done += images.len();
+            }
             Ok((embeddings, start.elapsed().as_secs_f64()))
         };
         let ((of_exact, exact_time), (of_fast, fast_time)) = (timed(exact)?, timed(fast)?);

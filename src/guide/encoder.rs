@@ -97,6 +97,11 @@ impl Encoder {
         })
     }
 
+    /// How many runs there can be at a time.
+    pub fn sessions(&self) -> usize {
+        self.sessions.len()
+    }
+
     /// The embedding of one prompt.
     pub fn encode_tokens(&self, tokens: &Tokens) -> Result<Vec<f32>, GuideError> {
         let run = |e: ort::Error| self.run_error(&e);

@@ -124,6 +124,9 @@ pub enum GuideError {
     /// No copy in eight bits can be made.
     #[error("the guide's image network cannot be made smaller ({0}); use it as it is")]
     Quantize(String),
+    /// The copy was cancelled.
+    #[error("the copy in eight bits was cancelled; nothing of it is left")]
+    Cancelled,
     /// A file cannot be written.
     #[error("\"{path}\" cannot be written ({reason}); choose another folder, or make room there")]
     Unwritable {

@@ -29,6 +29,7 @@ pub const MAX_TOKENS: usize = 4096;
 const TOKENIZER_CONFIG: &str = "tokenizer_config.json";
 
 /// A guide's networks, the bytes of its other files and its parsed configuration.
+#[derive(Clone)]
 pub struct GuideFiles {
     pub name: String,
     pub vision: Network,
@@ -192,6 +193,7 @@ fn length(value: &Value) -> Option<usize> {
 }
 
 /// The bytes of the files that are no networks.
+#[derive(Clone)]
 struct OtherFiles {
     tokenizer: Vec<u8>,
     preprocessor: Vec<u8>,
@@ -200,6 +202,7 @@ struct OtherFiles {
 }
 
 /// An ONNX file and the files beside it that hold its weights.
+#[derive(Clone)]
 struct Source {
     file: String,
     model: Bytes,

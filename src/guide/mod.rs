@@ -29,7 +29,7 @@ pub use agreement::Agreement;
 pub use error::GuideError;
 pub use provider::Provider;
 pub use runtime::{library as runtime_library, set_default_library, version as runtime_version};
-pub use smaller::{Smaller, smaller};
+pub use smaller::{Copied, Smaller, Step, smaller};
 
 use encoder::Encoder;
 use files::GuideFiles;
@@ -110,17 +110,17 @@ impl Guide {
         if !wanted.is_offered()? {
             note = Some(wanted.missing());
         } else if wanted != Provider::Cpu {
-            match Self::of_files(&files, threads, small, wanted) {
+            match Self::of_files(files.clone(), threads, small, wanted) {
                 Ok(guide) => return Ok(guide),
                 Err(error) => note = Some(wanted.failed(&error)),
             }
         }
-        let guide = Self::of_files(&files, threads, small, Provider::Cpu)?;
+        let guide = Self::of_files(files, threads, small, Provider::Cpu)?;
         Ok(Self { provider_note: note, ..guide })
     }
 
     fn of_files(
-        files: &GuideFiles,
+        files: GuideFiles,
         threads: usize,
         small: bool,
         provider: Provider,
@@ -129,30 +129,33 @@ impl Guide {
         let (sessions, intra) = if small && provider == Provider::Cpu { (threads, 1) } else { (1, threads) };
         let preprocess = Preprocess::from_json(&files.preprocessor)?;
         check_images(&files.vision, preprocess.size)?;
-        let text = Text::new(files)?;
+        let text = Text::new(&files)?;
         check_vocabulary(&files.text, text.vocabulary_size())?;
-        let open_vision = || {
-            let network = prologue::extend(&files.vision, preprocess.size)?;
-            Encoder::open(&environment, &network, provider, sessions, intra)
-        };
+        let classes = files.classes();
+        let (network, hash) =
+            rayon::join(|| prologue::extend(&files.vision, preprocess.size), || files.hash());
+        // What has been read of the image network is large, and needed no more.
+        let GuideFiles { name, text: text_network, precision, .. } = files;
+        let network = network?;
+        let runtime = &environment;
+        let open_vision = move || Encoder::open(runtime, &network, provider, sessions, intra);
         // One prompt a search: not worth another device's start.
-        let open_text = || Encoder::open(&environment, &files.text, Provider::Cpu, 1, intra);
+        let open_text = || Encoder::open(runtime, &text_network, Provider::Cpu, 1, intra);
         // Each keeps one processor busy.
-        let (vision, (text_encoder, hash)) = rayon::join(open_vision, || (open_text(), files.hash()));
-        let (vision, text_encoder) = (vision?, text_encoder?);
+        let (vision, text_encoder) = rayon::join(open_vision, open_text);
         let mut guide = Self {
             hash,
-            classes: files.classes(),
+            classes,
             class_embeddings: OnceLock::new(),
-            name: files.name.clone(),
+            name,
             preprocess,
             text,
-            vision,
-            text_encoder,
+            vision: vision?,
+            text_encoder: text_encoder?,
             dimension: 0,
             provider,
             provider_note: None,
-            precision: files.precision,
+            precision,
         };
         guide.dimension = guide.check_dimensions()?;
         Ok(guide)
@@ -239,6 +242,11 @@ impl Guide {
         let mut all = self.vision.encode_images(images, &self.preprocess, IMAGE_BATCH)?;
         normalise_each(&mut all, self.dimension)?;
         Ok(all)
+    }
+
+    /// Bytes of RGB images that keep all its sessions busy for one run each.
+    fn bytes_at_once(&self) -> usize {
+        (self.preprocess.size as usize).pow(2) * 3 * IMAGE_BATCH * self.vision.sessions()
     }
 
     /// Unit embeddings of rendered views before backgrounds, in one run of the network: `embeddings` becomes

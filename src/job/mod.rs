@@ -3,6 +3,7 @@
 
 mod background;
 mod coarse_to_fine;
+mod copying;
 mod entrant;
 mod error;
 mod finalist;
@@ -22,6 +23,7 @@ use std::thread::JoinHandle;
 
 use glam::Vec3;
 
+pub use copying::{CopySpec, Copying};
 pub use error::JobError;
 pub use outcome::Outcome;
 pub use progress::Progress;

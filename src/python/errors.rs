@@ -16,7 +16,7 @@ use crate::search::PromptError;
 
 create_exception!(boxmorph, GuideError, PyException, "A guide that cannot be fetched, opened or used.");
 create_exception!(boxmorph, RenderError, PyException, "Images that cannot be made.");
-create_exception!(boxmorph, Cancelled, PyException, "The job or download was cancelled.");
+create_exception!(boxmorph, Cancelled, PyException, "The job, download or copy was cancelled.");
 
 /// Conversion into the exception that Python sees.
 pub trait IntoPyErr {
@@ -46,6 +46,8 @@ impl IntoPyErr for &guide::GuideError {
     fn into_py_err(self) -> PyErr {
         if self.is_input() {
             PyValueError::new_err(self.to_string())
+        } else if matches!(self, guide::GuideError::Cancelled) {
+            Cancelled::new_err(self.to_string())
         } else {
             GuideError::new_err(self.to_string())
         }

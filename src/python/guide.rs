@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::arrays;
+use super::copy;
 use super::errors::IntoPyErr;
 use crate::guide::{self, Guide, GuideError, Provider};
 
@@ -74,21 +75,9 @@ impl PyGuide {
         threads: Option<usize>,
     ) -> PyResult<Bound<'_, PyDict>> {
         let made = py
-            .detach(|| guide::smaller(&folder, output.as_deref(), threads))
+            .detach(|| guide::smaller(&folder, output.as_deref(), threads, &|_| true))
             .map_err(|e| IntoPyErr::into_py_err(&e))?;
-        let figures = PyDict::new(py);
-        figures.set_item("file", made.file)?;
-        figures.set_item("products", made.products)?;
-        figures.set_item("exact_bytes", made.exact_bytes)?;
-        figures.set_item("bytes", made.bytes)?;
-        figures.set_item("images", made.agreement.images)?;
-        figures.set_item("cosine_mean", made.agreement.cosine_mean)?;
-        figures.set_item("cosine_min", made.agreement.cosine_min)?;
-        figures.set_item("rank_mean", made.agreement.rank_mean)?;
-        figures.set_item("rank_min", made.agreement.rank_min)?;
-        figures.set_item("exact_images_per_second", made.agreement.exact_speed)?;
-        figures.set_item("images_per_second", made.agreement.fast_speed)?;
-        Ok(figures)
+        copy::figures(py, &made)
     }
 
     fn text_embedding<'py>(&self, py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyArray1<f32>>> {

@@ -2,6 +2,7 @@
 //! The Python module: the only place that knows Python. Arrays in, arrays out, errors as exceptions.
 
 mod arrays;
+mod copy;
 mod errors;
 mod graph;
 mod guide;
@@ -19,6 +20,8 @@ use pyo3::prelude::*;
 mod _boxmorph {
     use super::{Bound, PyModule, PyModuleMethods, PyResult};
 
+    #[pymodule_export]
+    use super::copy::PyEightBitCopy;
     #[pymodule_export]
     use super::errors::{Cancelled, GuideError, RenderError};
     #[pymodule_export]

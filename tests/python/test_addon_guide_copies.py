@@ -2,6 +2,7 @@
 """Copies of guides in eight bits, by button and on the command line."""
 
 import pathlib
+import time
 
 import addon_blender as blender
 import pytest
@@ -12,6 +13,7 @@ from toy_guides import TinyViT
 
 engine = blender.addon("engine")
 copies = blender.addon("guide_copies")
+progress = blender.addon("guide_copy_progress")
 
 
 @pytest.fixture
@@ -22,6 +24,7 @@ def prefs(tmp_path):
     prefs.guides_folder = str(tmp_path / "guides")
     prefs.guide_folder = str(tmp_path / "guides" / "large")
     yield prefs
+    copies.stop()
     prefs.guide_folder = prefs.guides_folder = ""
 
 
@@ -33,10 +36,50 @@ def test_the_button_makes_a_copy_measures_and_chooses_it(prefs):
 
 
 def test_a_copy_says_what_it_is_worth(prefs):
-    folder, figures = copies.eight_bit_copy(engine.guide_folder())
+    copies.start(engine.guide_folder())
+    folder, figures = copies.wait()
     assert pathlib.Path(folder).is_dir()
     said = copies.summary(figures)
     assert " MB instead of " in said and "times as fast" in said and "a cosine of 0.9" in said
+
+
+def test_the_timer_follows_the_copy_and_chooses_it(prefs):
+    copies.start(engine.guide_folder())
+    copies.watch()
+    assert bpy.app.timers.is_registered(copies._tick)
+    assert not bpy.ops.boxmorph.quantize_guide.poll() and bpy.ops.boxmorph.cancel_guide_copy.poll()
+    said, fractions = set(), []
+    while copies._tick() is not None:
+        said.add(progress.progress_text())
+        fractions.append(copies.state.progress["fraction"])
+        time.sleep(0.001)
+    bpy.app.timers.unregister(copies._tick)
+    assert fractions == sorted(fractions) and fractions[-1] > 0.1
+    assert any("Comparing them" in text or "Opening both" in text for text in said), said
+    assert prefs.guide == "FOUND:large-8bit" and copies.state.work is None
+    assert copies.state.folder == engine.guide_folder() and copies.state.figures["cosine_mean"] > 0.9
+    prefs.guide_folder = ""
+
+
+def test_a_cancelled_copy_leaves_nothing_and_the_guide_as_it_was(prefs):
+    before = prefs.guide_folder
+    copies.start(engine.guide_folder())
+    copies.watch()
+    assert bpy.ops.boxmorph.cancel_guide_copy() == {"FINISHED"}
+    assert "Cancelling" in progress.progress_text()
+    while copies._tick() is not None:
+        time.sleep(0.001)
+    bpy.app.timers.unregister(copies._tick)
+    assert prefs.guide_folder == before and copies.state.refusal is None
+    assert [path.name for path in pathlib.Path(prefs.guides_folder).iterdir()] == ["large"]
+
+
+def test_disabling_the_extension_ends_a_copy(prefs):
+    copies.start(engine.guide_folder())
+    copies.watch()
+    copies.stop()
+    assert copies.state.work is None and not bpy.app.timers.is_registered(copies._tick)
+    assert [path.name for path in pathlib.Path(prefs.guides_folder).iterdir()] == ["large"]
 
 
 def test_no_copy_is_made_twice_or_of_the_embedded_guide(prefs):

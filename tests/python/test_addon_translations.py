@@ -125,7 +125,7 @@ def messages_of_lists():
 
 
 def messages_of_library():
-    """The phases of a search and of a download, which come from the Rust library."""
+    """The phases of a search, a download and a copy, which come from the Rust library."""
     code = "".join(
         (ROOT / "src" / "job" / name).read_text("utf-8")
         for name in ("run.rs", "progress.rs", "variations.rs")
@@ -135,6 +135,9 @@ def messages_of_library():
     code = "".join((ROOT / "src" / "hub" / name).read_text("utf-8") for name in ("download.rs", "fetch.rs"))
     phases = re.findall(r'phase = "([^"]+)"', code)
     assert {"Asking the server", "Downloading"} <= set(phases)
+    code = (ROOT / "src" / "python" / "copy.rs").read_text("utf-8")
+    phases += re.findall(r'Step::\w+ => "([^"]+)"', code)
+    assert {"Reading the guide", "Comparing them"} <= set(phases)
     return {(ANY, phase) for phase in found + phases}
 
 
