@@ -27,6 +27,7 @@ def preferences():
 
 class _Defaults:
     guide_folder = ""
+    guide_precision = ""
     guides_folder = ""
     hub_endpoint = ""
     runtime_library = ""

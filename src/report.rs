@@ -10,6 +10,8 @@ pub struct GuideRecord {
     pub name: String,
     /// SHA-256 over its files.
     pub sha256: String,
+    /// The precision of its image network, such as "fp32" or "int8".
+    pub precision: String,
     /// What encoded the images: "cpu", or another execution provider of ONNX Runtime.
     pub provider: String,
 }

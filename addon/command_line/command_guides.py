@@ -69,8 +69,11 @@ def _get(options):
     except KeyboardInterrupt:
         guide_downloads.stop()
         raise Refusal("Interrupted; what has come is kept, and the same command goes on from there") from None
-    guide = engine.open_folder(folder)
-    print(f"boxmorph: {folder} is whole; it sees images of {guide.image_size} pixels", flush=True)
+    guide = engine.open_folder(folder, precision)
+    print(
+        f"boxmorph: {folder} is whole; it is in {guide.precision} and sees images of {guide.image_size} pixels",
+        flush=True,
+    )
     return DONE
 
 

@@ -95,13 +95,13 @@ def open_guide(again=False):
     return guide
 
 
-def open_folder(folder):
+def open_folder(folder, precision):
     """Return the guide in a folder, whatever the preferences name. Raises Refusal."""
     prefs = preferences()
-    return _open(None, str(folder), prefs.runtime_library, prefs.threads, prefs.provider)
+    return _open(None, str(folder), prefs.runtime_library, prefs.threads, prefs.provider, precision)
 
 
-def _open(guide, folder, _runtime_library, threads, provider):
+def _open(guide, folder, _runtime_library, threads, provider, precision):
     boxmorph = library()
     if folder is not None and not os.path.isdir(folder):
         raise Refusal(
@@ -114,7 +114,7 @@ def _open(guide, folder, _runtime_library, threads, provider):
     # Not two at once: they may be large.
     _guides.clear()
     try:
-        return boxmorph.Guide.open(folder, threads=threads or None, provider=provider)
+        return boxmorph.Guide.open(folder, threads=threads or None, provider=provider, precision=precision)
     except (boxmorph.GuideError, ValueError, OSError) as error:
         raise Refusal(capitalised(sentence(error))) from error
 
@@ -137,9 +137,15 @@ def guide_folder():
     return guides.absolute(folder) if folder else None
 
 
+def guide_precision():
+    """Return the precision that was chosen of a folder that may hold several; “auto”: the most exact."""
+    precision, _, folder = preferences().guide_precision.partition(" ")
+    return precision if folder and folder == guide_folder() else "auto"
+
+
 def _guide_choice():
     prefs = preferences()
-    return guide_folder(), prefs.runtime_library, prefs.threads, prefs.provider
+    return guide_folder(), prefs.runtime_library, prefs.threads, prefs.provider, guide_precision()
 
 
 def capitalised(text):

@@ -43,7 +43,7 @@ def start(folder):
         raise Refusal("The embedded guide is fast as it is. Choose a large one first")
     if state.work is not None:
         raise Refusal("A copy is being made. Wait for it, or cancel it first")
-    copy = os.path.join(guides.root(), os.path.basename(folder) + _ENDING)
+    copy = os.path.join(guides.root(), guides.name(folder) + _ENDING)
     if os.path.exists(copy):
         raise Refusal("{folder} is there already. Choose that guide, or delete it first", folder=copy)
     boxmorph = engine.library()

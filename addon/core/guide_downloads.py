@@ -151,9 +151,12 @@ def stop():
     state.refusal = None
 
 
-def choose(folder):
-    """Make the guide in a folder the one that judges, and open it."""
+def choose(folder, precision="auto"):
+    """Make the guide in a folder the one that judges, and open it: in this precision, as the hub's cache may
+    hold others beside it.
+    """
     prefs = preferences()
+    prefs.guide_precision = f"{precision} {folder}"
     prefs.guide_elsewhere = False
     # Opened by the update of this property, which also tells what is wrong.
     prefs.guide_folder = str(folder)
@@ -183,7 +186,7 @@ def _tick():
     ended = poll()
     if ended:
         try:
-            choose(_end())
+            choose(_end(), state.precision)
         except Refusal:
             pass
     redraw_preferences()

@@ -48,6 +48,15 @@ def size(folder):
     return total
 
 
+def name(folder):
+    """Return what the guide in a folder is called: in the hub's cache, by its repository."""
+    snapshots, name = os.path.split(folder)
+    repository = os.path.basename(os.path.dirname(snapshots))
+    if os.path.basename(snapshots) == "snapshots" and repository.startswith("models--"):
+        return repository.rpartition("--")[2]
+    return name
+
+
 def megabytes(count):
     """Return a number of bytes in words."""
     return f"{count / 1e6:.1f} MB" if count < 1e8 else f"{count / 1e6:.0f} MB"

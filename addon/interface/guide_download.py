@@ -84,12 +84,19 @@ def _draw_present(layout, guide, precision, there):
         operator = row.operator("boxmorph.download_guide", text=text, icon="IMPORT", translate=False)
         operator.resume = True
     else:
-        is_used = str(there["path"]) == engine.guide_folder()
+        is_used = str(there["path"]) == engine.guide_folder() and _is_chosen(precision)
         operator = row.operator("boxmorph.use_guide", text="In Use" if is_used else "Use", depress=is_used)
     operator.guide, operator.precision = guide, precision
     if there["state"] != "cached":
         operator = row.operator("boxmorph.remove_guide", text="", icon="TRASH")
         operator.guide, operator.precision = guide, precision
+
+
+def _is_chosen(precision):
+    """Whether the chosen guide is of this precision."""
+    guide, _why = engine.known_guide()
+    chosen = engine.guide_precision()
+    return chosen == precision or (chosen == "auto" and (guide is None or guide.precision == precision))
 
 
 def _said(precision, there):

@@ -110,6 +110,7 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
         subtype="DIR_PATH",
         update=_check,
     )
+    guide_precision: StringProperty(options={"HIDDEN"})
     guides_folder: StringProperty(
         name="Guides Folder",
         description="Folder whose sub-folders are offered as guides. Empty: one beside Blender's settings. "
@@ -210,7 +211,7 @@ def guide_lines(say=str):
     what = say("“{name}” knows {known}, sees images of {pixels} pixels")
     return [
         (what.format(name=guide.name, known=known, pixels=guide.image_size), "CHECKMARK"),
-        (f"{size}, sha256 {guide.sha256[:12]}", "BLANK1"),
+        (f"{size}, {guide.precision}, sha256 {guide.sha256[:12]}", "BLANK1"),
     ]
 
 

@@ -100,7 +100,7 @@ class BOXMORPH_OT_download_guide(_OfGuide, bpy.types.Operator):
     def execute(self, _context):
         guide_downloads.start(self.guide, self.precision)
         if bpy.app.background:
-            guide_downloads.choose(guide_downloads.wait())
+            guide_downloads.choose(guide_downloads.wait(), self.precision)
             self.report({"INFO"}, rpt_("Downloaded {}").format(self.guide))
         else:
             guide_downloads.watch()
@@ -135,7 +135,7 @@ class BOXMORPH_OT_use_guide(_OfGuide, bpy.types.Operator):
         path = guide_downloads.presence(self.guide, self.precision)["path"]
         if path is None:
             raise Refusal("The guide “{name}” is not here. Download it first", name=self.guide)
-        guide_downloads.choose(path)
+        guide_downloads.choose(path, self.precision)
         return {"FINISHED"}
 
 

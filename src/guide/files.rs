@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 
 use super::GuideError;
 use super::layout::{Layout, Networks};
-use super::network::{Network, Role, decode, external_files};
+use super::network::{Network, Role, Weights, decode, external_files};
 
 /// Largest ONNX file: protobuf itself reads no more than 2 GiB. Weights beyond are kept in other files.
 const MAX_NETWORK_BYTES: u64 = 2 << 30;
@@ -48,7 +48,7 @@ impl GuideFiles {
         if !folder.is_dir() {
             return Err(GuideError::NoFolder(folder.display().to_string()));
         }
-        let name = folder.file_name().map_or_else(|| "guide".into(), |n| n.to_string_lossy().into_owned());
+        let name = name(folder);
         let layout = Layout::find(folder, precision)?;
         let tokenizer = required(folder, "tokenizer.json")?;
         // Newer exports keep the image processor's settings beside the others'.
@@ -111,10 +111,10 @@ impl GuideFiles {
         let preprocessor = json("preprocessor_config.json", &files.preprocessor)?;
         Ok(Self {
             name,
+            precision: told_precision(precision, vision.weights),
             vision,
             text,
             preprocessor: preprocessor.get("image_processor").cloned().unwrap_or(preprocessor),
-            precision,
             tokenizer_config: match &files.tokenizer_config {
                 Some(bytes) => json(TOKENIZER_CONFIG, bytes)?,
                 None => Value::Null,
@@ -184,6 +184,25 @@ impl GuideFiles {
     pub fn pad_id(&self) -> Option<u32> {
         let id = self.config.pointer("/text_config/pad_token_id")?.as_u64()?;
         u32::try_from(id).ok()
+    }
+}
+
+/// The folder's name; of one in the hub's cache, which is called by a commit, the repository's.
+fn name(folder: &Path) -> String {
+    let name = |path: &Path| path.file_name().map(|name| name.to_string_lossy().into_owned());
+    let repository = || {
+        let snapshots = folder.parent().filter(|parent| name(parent).as_deref() == Some("snapshots"))?;
+        Some(name(snapshots.parent()?)?.strip_prefix("models--")?.replace("--", "/"))
+    };
+    repository().or_else(|| name(folder)).unwrap_or_else(|| "guide".into())
+}
+
+/// The precision that a file's name says, unless its weights are of another.
+fn told_precision(named: &'static str, weights: Weights) -> &'static str {
+    let is_float = matches!(named, "fp32" | "fp16");
+    match weights.most {
+        Some(most) if is_float || !weights.has_bytes => most,
+        _ => named,
     }
 }
 
@@ -285,4 +304,32 @@ fn read(path: &Path, most: u64) -> Result<Vec<u8>, GuideError> {
 
 fn json(file: &'static str, bytes: &[u8]) -> Result<Value, GuideError> {
     serde_json::from_slice(bytes).map_err(|e| GuideError::BadJson { file, reason: e.to_string() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_guide_in_the_hubs_cache_is_called_by_its_repository() {
+        let cached = "hub/models--Xenova--clip-vit-base-patch32/snapshots/0123abc";
+        assert_eq!(name(Path::new(cached)), "Xenova/clip-vit-base-patch32");
+        assert_eq!(name(Path::new("guides/clip-vit-base-patch32-fp16")), "clip-vit-base-patch32-fp16");
+        assert_eq!(name(Path::new("snapshots/mine")), "mine");
+    }
+
+    #[test]
+    fn a_name_that_is_not_true_is_not_told() {
+        let of = |most, has_bytes| Weights { most, has_bytes };
+        assert_eq!(told_precision("fp32", of(Some("fp32"), false)), "fp32");
+        assert_eq!(told_precision("fp32", of(Some("fp16"), false)), "fp16");
+        assert_eq!(told_precision("fp32", of(Some("int8"), true)), "int8");
+        assert_eq!(told_precision("fp16", of(Some("fp32"), false)), "fp32");
+        assert_eq!(told_precision("int8", of(Some("fp32"), false)), "fp32");
+        // Convolutions stay as they are, and eight bits may be with a sign or without.
+        assert_eq!(told_precision("int8", of(Some("fp32"), true)), "int8");
+        assert_eq!(told_precision("int8", of(Some("uint8"), true)), "int8");
+        assert_eq!(told_precision("q4", of(Some("uint8"), true)), "q4");
+        assert_eq!(told_precision("fp32", of(None, false)), "fp32");
+    }
 }

@@ -191,7 +191,8 @@ impl Guide {
         self.provider_note.as_deref()
     }
 
-    /// The precision of its image network, such as "fp32" or "int8", by its file's name.
+    /// The precision of its image network, such as "fp32" or "int8": by its file's name, unless its weights are
+    /// of another.
     #[must_use]
     pub fn precision(&self) -> &'static str {
         self.precision

@@ -41,6 +41,17 @@ pub struct Network {
     pub output: String,
     /// Tokens that the text network knows, where that can be seen.
     pub vocabulary: Option<usize>,
+    /// What its weights are kept in.
+    pub weights: Weights,
+}
+
+/// Numbers that a network's weights are kept in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Weights {
+    /// Most of them, where they are of a known kind.
+    pub most: Option<&'static str>,
+    /// Whether any of them is a byte, or several in one.
+    pub has_bytes: bool,
 }
 
 impl Network {
@@ -71,6 +82,7 @@ impl Network {
         }
         changed |= cast_output(graph, &output).map_err(bad)?;
         let vocabulary = if role == Role::Text { vocabulary(graph, &inputs) } else { None };
+        let weights = weights(graph);
         let used: HashSet<String> = external_locations(graph).map(|(name, ..)| name.to_owned()).collect();
         Ok(Self {
             file: file.to_owned(),
@@ -79,6 +91,7 @@ impl Network {
             inputs,
             output,
             vocabulary,
+            weights,
         })
     }
 
@@ -270,6 +283,25 @@ fn cast_output(graph: &mut Graph, name: &str) -> Result<bool, String> {
         }
         _ => Err(format!("its output {name} holds no real numbers")),
     }
+}
+
+/// What the weights of a graph are kept in.
+fn weights(graph: &Graph) -> Weights {
+    let kinds = [
+        ("fp32", elem::FLOAT),
+        ("fp16", elem::FLOAT16),
+        ("bf16", elem::BFLOAT16),
+        ("int8", elem::INT8),
+        ("uint8", elem::UINT8),
+    ];
+    let count = |kind: i32| -> f64 {
+        let those = graph.initializer.iter().filter(|weight| weight.data_type == Some(kind));
+        // No counts of elements, which may be nonsense in a damaged file.
+        those.map(|weight| weight.dims.iter().map(|&length| length as f64).product::<f64>()).sum()
+    };
+    let most = kinds.iter().map(|&(name, kind)| (name, count(kind))).max_by(|a, b| a.1.total_cmp(&b.1));
+    let has_bytes = count(elem::INT8) + count(elem::UINT8) > 0.0;
+    Weights { most: most.filter(|(_, count)| *count > 0.0).map(|(name, _)| name), has_bytes }
 }
 
 /// The rows of the table in which token ids are looked up.

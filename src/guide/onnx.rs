@@ -10,6 +10,7 @@ use prost::bytes::Bytes;
 /// Element types of [`Tensor::data_type`] and [`TensorType::elem_type`].
 pub mod elem {
     pub const FLOAT: i32 = 1;
+    pub const UINT8: i32 = 2;
     pub const INT8: i32 = 3;
     pub const INT32: i32 = 6;
     pub const INT64: i32 = 7;

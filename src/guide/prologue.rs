@@ -19,9 +19,6 @@ pub const MIX: &str = "boxmorph/mix";
 /// What is added to each channel: v × 3 m × 1.
 pub const BASE: &str = "boxmorph/base";
 
-/// `TensorProto.DataType` of bytes.
-const UINT8: i32 = 2;
-
 /// `AttributeProto.AttributeType` of tensors and of lists of numbers.
 const TENSOR: i32 = 4;
 const INTS: i32 = 7;
@@ -46,7 +43,7 @@ fn put_before(graph: &mut Graph, size: u32) -> Result<(), String> {
     }
     let side = i64::from(size);
     graph.input.extend([
-        value(VIEWS, UINT8, [None, Some(side * side), Some(4)]),
+        value(VIEWS, elem::UINT8, [None, Some(side * side), Some(4)]),
         value(MIX, elem::FLOAT, [None, None, Some(4)]),
         value(BASE, elem::FLOAT, [None, None, Some(1)]),
     ]);

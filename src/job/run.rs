@@ -248,6 +248,7 @@ impl<'a> Run<'a> {
             guide: GuideRecord {
                 name: spec.guide.name().into(),
                 sha256: spec.guide.hash().into(),
+                precision: spec.guide.precision().into(),
                 provider: spec.guide.provider().name().into(),
             },
             preset: spec.preset.name.into(),

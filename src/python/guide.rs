@@ -144,7 +144,7 @@ impl PyGuide {
         self.0.provider().name()
     }
 
-    /// The precision of its image network, by its file's name.
+    /// The precision of its image network: by its file's name, unless its weights are of another.
     #[getter]
     fn precision(&self) -> &'static str {
         self.0.precision()

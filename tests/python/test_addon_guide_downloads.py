@@ -2,9 +2,11 @@
 """Guides downloaded from within Blender, from a server on this machine: operators, timer, command line."""
 
 import pathlib
+import shutil
 import time
 
 import addon_blender as blender
+import boxmorph
 import pytest
 from addon_blender import bpy
 from hub_server import MINI, HubServer
@@ -226,3 +228,40 @@ def test_deform_takes_a_guide_by_name_or_folder(prefs, tmp_path, kind, capfd):
     assert prefs.guide_folder == before
     assert command("deform", "--prompt", "a bar stool", "--guide", "none") == 1
     assert "There is no guide “none”. Choose embedded, clip-vit-base-patch32-fp32" in capfd.readouterr().err
+
+
+@pytest.fixture
+def snapshot(tmp_path, prefs):
+    """A guide in the hub's cache, as another program may have left it: exact and in eight bits."""
+    toys = pytest.importorskip("toy_guides", reason="the module onnx, which makes it, is not installed here")
+    folder = tmp_path / "hf" / "hub" / "models--Xenova--clip-vit-base-patch32" / "snapshots" / ("0" * 40)
+    toys.TinyViT(place="onnx").write(folder)
+    networks = folder / "onnx"
+    boxmorph.Guide.quantize(folder)
+    (networks / "vision_model_int8.onnx").rename(networks / "vision_model_quantized.onnx")
+    shutil.copy(networks / "text_model.onnx", networks / "text_model_quantized.onnx")
+    return folder
+
+
+def test_of_several_precisions_in_the_cache_the_chosen_one_is_opened_and_told(snapshot):
+    engine, editor = blender.addon("engine"), blender.addon("preferences_editor")
+    assert bpy.ops.boxmorph.use_guide(guide=ID, precision="int8") == {"FINISHED"}
+    guide = engine.open_guide()
+    assert (guide.name, guide.precision) == ("Xenova/clip-vit-base-patch32", "int8")
+    assert ", int8, sha256" in editor.guide_lines()[1][0]
+    assert section._is_chosen("int8") and not section._is_chosen("fp32")
+    blender.empty_scene()
+    obj = blender.chair()
+    blender.deform()
+    (report,) = blender.addon("shape_key").records(obj.data).values()
+    assert report["guide"]["precision"] == "int8"
+    bpy.ops.boxmorph.use_guide(guide=ID, precision="fp32")
+    assert engine.open_guide().precision == "fp32"
+    assert section._is_chosen("fp32") and not section._is_chosen("int8")
+
+
+def test_a_copy_of_a_guide_in_the_cache_is_called_by_its_repository(snapshot, prefs):
+    bpy.ops.boxmorph.use_guide(guide=ID, precision="fp32")
+    bpy.ops.boxmorph.quantize_guide()
+    assert pathlib.Path(prefs.guide_folder).name == "clip-vit-base-patch32-8bit"
+    assert blender.addon("engine").open_guide().precision == "int8"

@@ -8,7 +8,7 @@ import numpy as np
 import onnxruntime
 import pytest
 import toy_guides
-from toy_guides import TensorProto, Toy
+from toy_guides import TensorProto, TinyViT, Toy
 
 PROMPT = "A bar stool"
 IDS = [2, 4, 5]
@@ -82,7 +82,10 @@ def test_a_layout_opens_and_embeds_as_onnx_runtime_does(tmp_path, layout):
 def test_the_most_exact_precision_is_taken_unless_another_is_named(tmp_path):
     Toy(seed=1).write(tmp_path)
     Toy(seed=2, ending="_fp16", floats=TensorProto.FLOAT16).write(tmp_path)
-    Toy(seed=3, ending="_quantized").write(tmp_path)
+    exact = TinyViT(seed=3).write(tmp_path / "exact")
+    made = boxmorph.Guide.quantize(exact)["file"]
+    made.rename(tmp_path / "vision_model_quantized.onnx")
+    (exact / "text_model.onnx").rename(tmp_path / "text_model_quantized.onnx")
     hashes = set()
     for asked, given in {"auto": "fp32", "fp32": "fp32", "fp16": "fp16", "int8": "int8"}.items():
         guide = boxmorph.Guide.open(tmp_path, precision=asked)
@@ -93,6 +96,13 @@ def test_the_most_exact_precision_is_taken_unless_another_is_named(tmp_path):
         boxmorph.Guide.open(tmp_path, precision="q4")
     with pytest.raises(ValueError, match='unknown precision "int7": choose "fp32"'):
         boxmorph.Guide.open(tmp_path, precision="int7")
+
+
+def test_the_precision_that_is_told_is_that_of_the_weights(tmp_path):
+    plain = Toy(floats=TensorProto.FLOAT16).write(tmp_path / "plain")
+    assert boxmorph.Guide.open(plain).precision == "fp16"
+    Toy(ending="_quantized").write(tmp_path / "misnamed")
+    assert boxmorph.Guide.open(tmp_path / "misnamed", precision="int8").precision == "fp32"
 
 
 def test_weights_in_another_file_belong_to_the_hash(tmp_path):

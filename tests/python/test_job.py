@@ -73,7 +73,7 @@ def test_the_record_holds_all_it_takes_to_do_it_again(guide, stool):
     report = stool.report()
     json.dumps(report)
     assert report["boxmorph"] == boxmorph.__version__
-    assert report["guide"] == {"name": "mini", "sha256": guide.sha256, "provider": "cpu"}
+    assert report["guide"] == {"name": "mini", "sha256": guide.sha256, "precision": "fp16", "provider": "cpu"}
     assert (report["prompt"], report["preset"], report["seed"]) == ("a bar stool", "standard", 0)
     assert report["evaluations"] == stool.evaluations and report["images_encoded"] == stool.images_encoded
     assert np.allclose(report["scales"], stool.scales)

@@ -164,8 +164,10 @@ def unit(rows):
 class TinyViT(Toy):
     """The image network is a vision transformer of one layer, with the operators that exports have."""
 
+    width = 16
+
     def vision(self):
-        width, heads, side = 16, 2, self.size // PATCH
+        width, heads, side = self.width, 2, self.size // PATCH
         count = side * side + 1
         shape = numpy_helper.from_array
         weights = [
