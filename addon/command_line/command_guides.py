@@ -71,7 +71,7 @@ def _get(options):
         raise Refusal("Interrupted; what has come is kept, and the same command goes on from there") from None
     guide = engine.open_folder(folder, precision)
     print(
-        f"boxmorph: {folder} is whole; it is in {guide.precision} and sees images of {guide.image_size} pixels",
+        f"boxmorph: {folder} is whole; {guide.precision}, it sees images of {guide.image_size} pixels",
         flush=True,
     )
     return DONE

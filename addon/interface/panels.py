@@ -30,9 +30,9 @@ class BOXMORPH_PT_main(Sidebar, bpy.types.Panel):
         _draw_button(layout, context)
         row = layout.row(align=True)
         row.prop(settings, "preset", text="")
-        if settings.preset == "time":
-            row.prop(settings, "seconds")
         row.prop(settings, "seed")
+        if settings.preset == "time":
+            layout.prop(settings, "seconds")
         if running.running.search is not None:
             _draw_progress(layout.box())
 

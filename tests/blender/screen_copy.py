@@ -35,7 +35,7 @@ def begin(screen, rectangle, shot=None):
 
 
 def longest_pause(screen, until):
-    """Ask Blender whether `until` holds, until it does; return the longest that an answer took, in seconds."""
+    """Ask Blender whether `until` holds, until it does; return the longest wait for an answer, in s."""
     longest = 0.0
     while True:
         start = time.monotonic()

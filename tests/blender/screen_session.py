@@ -14,6 +14,7 @@ from pathlib import Path
 
 from screen_drive import HEIGHT, Screen
 from screen_interruptions import interruptions, queue
+from screen_more import evaluate_all, seconds
 from screen_steps import (
     OBJECT,
     PROMPT,
@@ -226,7 +227,7 @@ def main(folder, artifacts, suite):
     with Screen(folder, arguments) as screen:
         try:
             session(screen, shots)
-            for sitting in (queue, interruptions):
+            for sitting in (queue, interruptions, seconds, evaluate_all):
                 chair.write_bytes(as_made)
                 screen.ask(f"bpy.ops.wm.open_mainfile(filepath='{chair}')")
                 select(screen)

@@ -25,6 +25,11 @@ def view():
     return window, area, next(region for region in area.regions if region.type == "UI")
 
 
+def areas():
+    """Return the kinds of editors in all windows."""
+    return [area.type for window in bpy.context.window_manager.windows for area in window.screen.areas]
+
+
 def modal():
     """Return the identifiers of the running modal operators."""
     return [operator.bl_idname for operator in bpy.context.window_manager.windows[0].modal_operators]
