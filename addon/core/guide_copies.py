@@ -5,6 +5,7 @@ The work runs on a thread of the Rust module. A timer looks at it, as with downl
 """
 
 import os
+import shutil
 import time
 from dataclasses import dataclass, field
 
@@ -14,8 +15,9 @@ from ..errors import Refusal, remember
 from ..redraw import redraw_preferences
 from . import engine, guide_downloads, guides
 
-#: What the name of a copy's folder ends in.
+#: What the name of a copy's folder ends in, and begins with until it is whole: such folders are no guides.
 _ENDING = "-8bit"
+_BEGINNING = ".copy-"
 
 _TICK_SECONDS = 0.2
 
@@ -51,7 +53,9 @@ def start(folder):
     engine.close_guide()
     try:
         os.makedirs(guides.root(), exist_ok=True)
-        work = boxmorph.EightBitCopy(folder, copy)
+        # Blender may have ended in the middle of another.
+        shutil.rmtree(_unfinished(copy), ignore_errors=True)
+        work = boxmorph.EightBitCopy(folder, _unfinished(copy))
         work.start()
     except (RuntimeError, OSError) as error:
         raise Refusal(engine.capitalised(engine.sentence(error))) from error
@@ -107,6 +111,12 @@ def summary(figures, say=str):
     )
 
 
+def _unfinished(copy):
+    """Return the folder in which a copy grows until it is whole."""
+    root, name = os.path.split(copy)
+    return os.path.join(root, _BEGINNING + name)
+
+
 def _poll():
     """Look how far the copy is; return whether the work has ended."""
     state.progress = state.work.progress()
@@ -134,11 +144,13 @@ def _end():
     work, state.work = state.work, None
     try:
         work.join()
-        state.figures = work.result()
-        return state.folder, state.figures
+        figures = work.result()
+        os.rename(_unfinished(state.folder), state.folder)
+        state.figures = figures
+        return state.folder, figures
     except boxmorph.Cancelled as error:
         raise Refusal(engine.capitalised(engine.sentence(error))) from error
-    except (boxmorph.GuideError, ValueError, RuntimeError) as error:
+    except (boxmorph.GuideError, ValueError, RuntimeError, OSError) as error:
         state.refusal = Refusal(engine.capitalised(engine.sentence(error)))
         remember(str(state.refusal))
         raise state.refusal from error

@@ -4,11 +4,10 @@
 from bpy.app.translations import pgettext_iface as iface_
 
 from ..core import engine, guide_copies
-from .lines import draw_lines
 
 
-def draw(layout, letters):
-    """Draw a row, the button's or the progress's, and how the last copy ended; `letters` go into a line."""
+def draw(layout):
+    """Draw a row: the button, or how far the copy is."""
     state = guide_copies.state
     if state.work is not None:
         row = layout.row()
@@ -18,10 +17,16 @@ def draw(layout, letters):
     row = layout.row(align=True)
     row.operator("boxmorph.check_guide", icon="FILE_REFRESH")
     row.operator("boxmorph.quantize_guide", icon="MOD_DECIM")
+
+
+def lines(say=str):
+    """Return lines with icons on how the last copy ended; in English, unless `say` translates."""
+    state = guide_copies.state
     if state.refusal is not None:
-        draw_lines(layout, [(state.refusal.said(iface_), "ERROR")], letters)
-    elif state.figures is not None and state.folder == engine.guide_folder():
-        draw_lines(layout, [(guide_copies.summary(state.figures, iface_), "INFO")], letters)
+        return [(state.refusal.said(say), "ERROR")]
+    if state.figures is not None and state.folder == engine.guide_folder():
+        return [(guide_copies.summary(state.figures, say), "INFO")]
+    return []
 
 
 def progress_text(say=str):

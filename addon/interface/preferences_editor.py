@@ -174,8 +174,9 @@ class BoxmorphPreferences(bpy.types.AddonPreferences):
         box.prop(self, "guide")
         if self.guide == "FOLDER":
             box.prop(self, "guide_folder")
-        draw_lines(box, guide_lines(iface_), letters)
-        guide_copy_progress.draw(box, letters)
+        # Above the lines, which come and go.
+        guide_copy_progress.draw(box)
+        draw_lines(box, guide_lines(iface_) + guide_copy_progress.lines(iface_), letters)
         box.separator()
         box.prop(self, "guides_folder")
         found = guides.found()

@@ -99,7 +99,10 @@ class BOXMORPH_OT_evaluate_all(bpy.types.Operator):
         self._write(found, paths)
         redraw_panels()
         names = ", ".join(os.path.basename(path) for path in paths.values())
-        done = rpt_("{count} outcomes evaluated, written to {names}")
+        if len(found) == 1:
+            done = rpt_("1 outcome evaluated, written to {names}")
+        else:
+            done = rpt_("{count} outcomes evaluated, written to {names}")
         self.report({"INFO"}, done.format(count=len(found), names=names))
         return {"FINISHED"}
 

@@ -494,6 +494,7 @@ MESSAGES = {
     ("*", "{path} cannot be written. Choose another place"): (
         "{path} lässt sich nicht schreiben. Einen anderen Ort wählen"
     ),
+    ("*", "1 outcome evaluated, written to {names}"): "1 Ergebnis beurteilt, geschrieben in {names}",
     ("*", "{count} outcomes evaluated, written to {names}"): (
         "{count} Ergebnisse beurteilt, geschrieben in {names}"
     ),

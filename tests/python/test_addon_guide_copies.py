@@ -13,6 +13,7 @@ from toy_guides import TinyViT
 
 engine = blender.addon("engine")
 copies = blender.addon("guide_copies")
+guides = blender.addon("guides")
 progress = blender.addon("guide_copy_progress")
 
 
@@ -44,9 +45,12 @@ def test_a_copy_says_what_it_is_worth(prefs):
 
 
 def test_the_timer_follows_the_copy_and_chooses_it(prefs):
+    # As if Blender had ended in the middle of one.
+    (pathlib.Path(prefs.guides_folder) / ".copy-large-8bit" / "rest").mkdir(parents=True)
     copies.start(engine.guide_folder())
     copies.watch()
     assert bpy.app.timers.is_registered(copies._tick)
+    assert [pathlib.Path(folder).name for folder in guides.found()] == ["large"], "it is offered too early"
     assert not bpy.ops.boxmorph.quantize_guide.poll() and bpy.ops.boxmorph.cancel_guide_copy.poll()
     said, fractions = set(), []
     while copies._tick() is not None:
