@@ -40,6 +40,7 @@ def seconds(screen, shots):
         f"the search takes the seconds: {record['seconds']:.1f} s, {took:.1f} s with clicks",
         record,
     )
+    time.sleep(1.0)
     screen.shot(shots("10-time"))
 
 

@@ -227,7 +227,7 @@ def main(folder, artifacts, suite):
     with Screen(folder, arguments) as screen:
         try:
             session(screen, shots)
-            for sitting in (queue, interruptions, seconds, evaluate_all):
+            for sitting in (queue, seconds, evaluate_all, interruptions):
                 chair.write_bytes(as_made)
                 screen.ask(f"bpy.ops.wm.open_mainfile(filepath='{chair}')")
                 select(screen)
