@@ -35,6 +35,8 @@ pub struct Report {
     pub guide: GuideRecord,
     /// The preset's name.
     pub preset: String,
+    /// Whether the score and the normal error alone counted.
+    pub paper_loss: bool,
     /// Images that might be encoded, in a search on a budget. Where seconds were asked for, what they came to on
     /// this machine: as a budget of images it gives the same outcome anywhere, if the time sufficed.
     pub image_budget: Option<usize>,

@@ -303,9 +303,10 @@ class Job:
         variations: int = 1,  # outcomes wanted, 1 to 8
         images: int | None = None,  # images that may be encoded; None: as the preset says
         seconds: float | None = None,  # time that the search may take, in the place of images
+        paper_loss: bool = False,  # whether the score and the normal error alone count
     ) -> None:
-        """Presets "draft", "standard" and "best" search from few parts to many on a budget of 1,600, 4,800
-        and 24,000 images; "paper" is the protocol of the paper, up to 100,000. With `seconds` the budget is
+        """Presets "draft", "standard" and "best" search from few parts to many on a budget of 1,400, 4,500
+        and 22,500 images; "paper" is the protocol of the paper, up to 100,000. With `seconds` the budget is
         what this machine encodes in that time; the record's `image_budget`, given as `images`, repeats the
         outcome, unless the time ran out before.
 

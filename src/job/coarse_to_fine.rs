@@ -21,7 +21,7 @@ const SCOUTING: f64 = 0.5;
 
 /// Searches of the fewest parts where the budget is [`USUAL`]; more with the power [`GROWTH`] of a larger one.
 const SCOUTS: f64 = 3.0;
-const USUAL: f64 = 4800.0;
+const USUAL: f64 = 4500.0;
 const GROWTH: f64 = 0.45;
 
 /// Searches of more parts, as shares of those of the fewest.
@@ -33,11 +33,12 @@ const LOOK: usize = 10;
 /// Searches whose outcome is looked at in the end.
 const FINALISTS: usize = 3;
 
-/// Generations after which the pace of a search is known.
+/// Generations after which the pace of a search is known, or a share of the seconds if that is over before.
 const PACED: usize = 4;
+const PACING: f64 = 0.1;
 
 /// The least and the most that a budget in seconds comes to, in images.
-const LEAST_IMAGES: usize = 400;
+const LEAST_IMAGES: usize = 100;
 const MOST_IMAGES: usize = 1_000_000;
 
 /// Of the seconds asked for, the share that the budget is made for, and that after which searches are broken off.
@@ -61,6 +62,10 @@ impl<'a> Run<'a> {
             let share = (SCOUTING * images as f64) as usize / (stages.len() * count);
             let starts = self.starts(stage, &field[..field.len().min(count)], count);
             for (mut start, number) in starts.into_iter().zip(number..) {
+                // With a slow guide and little time not every start is tried.
+                if self.is_late() && !field.is_empty() {
+                    break;
+                }
                 start.seed = self.spec.seed.wrapping_add(number * AGAIN);
                 let mut entrant = self.enter(stage, &self.spec.preset, &start, None)?;
                 self.advance(&mut entrant, share)?;
@@ -72,14 +77,19 @@ impl<'a> Run<'a> {
         }
         // One that ends before the budget does leaves the rest to the next.
         for entrant in field.iter_mut().take(FINALISTS) {
-            self.tell(&entrant.stage.clone());
             let left = end.saturating_sub(self.spent.images);
+            if left == 0 || self.is_late() {
+                break;
+            }
+            self.tell(&entrant.stage.clone());
             self.advance(entrant, left)?;
             self.judge(entrant)?;
         }
         for (place, mut entrant) in field.into_iter().enumerate() {
             // Those behind are asked only where none before them is better than what was given.
-            if place >= FINALISTS && self.winner.as_ref().is_some_and(|winner| winner.improved) {
+            if (place >= FINALISTS || self.is_late())
+                && self.winner.as_ref().is_some_and(|winner| winner.improved)
+            {
                 break;
             }
             let stop = entrant.search.stop_reason().unwrap_or(StopReason::MaxEvaluations);
@@ -87,7 +97,9 @@ impl<'a> Run<'a> {
             self.conclude(&mut entrant, best, stop)?;
         }
         match stages.last() {
-            Some(stage) if self.winner.as_ref().is_some_and(|winner| !winner.improved) => self.again(stage),
+            Some(stage) if self.winner.as_ref().is_some_and(|winner| !winner.improved) && !self.is_late() => {
+                self.again(stage)
+            }
             _ => Ok(()),
         }
     }
@@ -153,6 +165,9 @@ impl<'a> Run<'a> {
         let (images, since) = (self.spent.images, self.harness.seconds());
         for _ in 0..PACED {
             self.step(&mut entrant)?;
+            if self.harness.seconds() - since > PACING * seconds {
+                break;
+            }
         }
         let pace = (self.spent.images - images) as f64 / (self.harness.seconds() - since).max(1e-3);
         let left = (MEANT * seconds - self.harness.seconds()).max(0.0);
@@ -178,9 +193,9 @@ mod tests {
     #[test]
     fn a_larger_budget_looks_at_more_starts_and_fewer_are_followed() {
         let counts = |images: usize| [0, 1, 2, 3].map(|level| searches(level, images));
-        assert_eq!(counts(1600), [2, 2, 1, 1]);
-        assert_eq!(counts(4800), [3, 2, 1, 1]);
-        assert_eq!(counts(24_000), [6, 4, 2, 2]);
+        assert_eq!(counts(1400), [2, 2, 1, 1]);
+        assert_eq!(counts(4500), [3, 2, 1, 1]);
+        assert_eq!(counts(22_500), [6, 4, 2, 2]);
         assert_eq!(counts(10), [1, 1, 1, 1]);
     }
 }

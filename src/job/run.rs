@@ -252,6 +252,7 @@ impl<'a> Run<'a> {
                 provider: spec.guide.provider().name().into(),
             },
             preset: spec.preset.name.into(),
+            paper_loss: spec.preset.has_paper_loss(),
             image_budget: spec.preset.budget.map(|_| self.budget),
             seconds_budget: match spec.preset.budget {
                 Some(Budget::Seconds(seconds)) => Some(seconds),

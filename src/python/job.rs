@@ -26,7 +26,7 @@ impl PyJob {
     #[new]
     #[pyo3(signature = (mesh, prompt, guide=None, preset="standard", seed=0, *, splits=None, symmetry=None, boundary=None,
                         graph=None, locked=None, scale_range=SCALE_RANGE, shift_parts=false, renderer="auto", keep_size=None,
-                        keep_place="bottom", points=None, variations=1, images=None, seconds=None))]
+                        keep_place="bottom", points=None, variations=1, images=None, seconds=None, paper_loss=false))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of the Python surface")]
     #[expect(clippy::needless_pass_by_value, reason = "pyo3 extracts owned values")]
     fn new(
@@ -50,7 +50,9 @@ impl PyJob {
         variations: i64,
         images: Option<i64>,
         seconds: Option<f64>,
+        paper_loss: bool,
     ) -> PyResult<Self> {
+        let preset = self::preset(preset, images, seconds)?;
         let guide = match guide {
             Some(guide) => guide.0.clone(),
             None => Arc::new(
@@ -61,7 +63,7 @@ impl PyJob {
             mesh: mesh.0.as_ref().clone(),
             wording: prompt.wording(),
             guide,
-            preset: self::preset(preset, images, seconds)?,
+            preset: if paper_loss { preset.with_paper_loss() } else { preset },
             seed,
             graph: graph.map(|graph| graph.0.clone()),
             locked: locked.map(|locked| arrays::flags(locked, "locked")).transpose()?,

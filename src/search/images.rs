@@ -62,6 +62,16 @@ impl Views {
         Self { count: views.len(), mirrored }
     }
 
+    /// Generations after which the same images come again.
+    #[must_use]
+    pub fn period(&self, plan: ImagePlan) -> usize {
+        match plan {
+            ImagePlan::All | ImagePlan::InTurn => 1,
+            // Groups are of one, two or four.
+            ImagePlan::Distinct => BACKGROUNDS.len() * self.mirrored.iter().map(Vec::len).max().unwrap_or(1),
+        }
+    }
+
     /// The (view, background) pairs of one candidate in the generation of this number.
     #[must_use]
     pub fn pairs(&self, plan: ImagePlan, generation: usize) -> Vec<(usize, usize)> {

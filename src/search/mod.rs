@@ -13,6 +13,7 @@ mod preset;
 mod prompt;
 mod run;
 mod space;
+mod surrogate;
 mod target;
 
 pub use cmaes::{Bounds, CmaEs, CmaEsOptions, SearchError, StopReason};
@@ -27,4 +28,5 @@ pub use preset::{Budget, BudgetError, Preset};
 pub use prompt::{Part, PromptError, TEMPLATES, Wording, parts};
 pub use run::{Search, Start};
 pub use space::{SCALE_RANGE, SearchSpace, SpaceError};
+pub use surrogate::Surrogate;
 pub use target::Target;

@@ -152,6 +152,12 @@ impl<'a> Objective<'a> {
         Self { novelty, ..self }
     }
 
+    /// Number of the images that the next generation is seen by, the same for the same images.
+    #[must_use]
+    pub fn images_number(&self, plan: ImagePlan) -> usize {
+        self.generation % self.views.period(plan)
+    }
+
     /// Images encoded so far.
     #[must_use]
     pub fn images_encoded(&self) -> usize {

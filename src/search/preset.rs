@@ -52,6 +52,8 @@ pub struct Preset {
     pub boundary: Boundary,
     /// Candidates a generation: `base + per_log · ln(dimensions)`.
     pub population: (f64, f64),
+    /// Whether a model of the loss guesses one candidate of every generation ([`super::Surrogate`]).
+    pub surrogate: bool,
     /// First step size, in units of x.
     pub sigma: f64,
     /// Share of the triangles that may cross others in an outcome over those of the mesh; one that has more goes
@@ -82,6 +84,7 @@ impl Preset {
         symmetry: Symmetry::X,
         boundary: Boundary::Paper,
         population: (12.0, 9.0),
+        surrogate: false,
         sigma: 1.0,
         max_crossing: None,
         max_generations: 80,
@@ -96,11 +99,12 @@ impl Preset {
     /// A result in seconds.
     pub const STANDARD: Self = Self {
         name: "standard",
-        budget: Some(Budget::Images(4800)),
+        budget: Some(Budget::Images(4500)),
         splits: &[2, 3, 4],
         symmetry: Symmetry::Auto,
         boundary: Boundary::Smooth,
         population: (6.0, 2.0),
+        surrogate: true,
         sigma: 1.0,
         max_crossing: Some(0.015),
         max_generations: usize::MAX,
@@ -113,10 +117,10 @@ impl Preset {
     };
 
     /// A first look.
-    pub const DRAFT: Self = Self { name: "draft", budget: Some(Budget::Images(1600)), ..Self::STANDARD };
+    pub const DRAFT: Self = Self { name: "draft", budget: Some(Budget::Images(1400)), ..Self::STANDARD };
 
     /// As good as it gets.
-    pub const BEST: Self = Self { name: "best", budget: Some(Budget::Images(24_000)), ..Self::STANDARD };
+    pub const BEST: Self = Self { name: "best", budget: Some(Budget::Images(22_500)), ..Self::STANDARD };
 
     /// All presets, the cheapest first.
     pub const ALL: [Self; 4] = [Self::DRAFT, Self::STANDARD, Self::BEST, Self::PAPER];
@@ -137,6 +141,19 @@ impl Preset {
             Budget::Seconds(s) if !(shortest..=longest).contains(&s) => Err(BudgetError::Seconds),
             budget => Ok(Self { budget: Some(budget), ..self }),
         }
+    }
+
+    /// This preset with the loss of the paper: the score and the normal error, and nothing else.
+    #[must_use]
+    pub fn with_paper_loss(self) -> Self {
+        let Self { max_crossing, rival_weight, comparison_weight, effort_weight, footing, .. } = Self::PAPER;
+        Self { max_crossing, rival_weight, comparison_weight, effort_weight, footing, ..self }
+    }
+
+    /// Whether its loss is the paper's.
+    #[must_use]
+    pub fn has_paper_loss(&self) -> bool {
+        *self == self.with_paper_loss()
     }
 
     /// For a search in which candidates of different generations are compared: all are seen by the same images.

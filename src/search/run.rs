@@ -6,6 +6,7 @@ use glam::Vec3;
 use super::cmaes::{CmaEs, CmaEsOptions};
 use super::{
     Evaluation, Footing, ImagePlan, Objective, ObjectiveError, Preset, SearchError, SearchSpace, StopReason,
+    Surrogate,
 };
 
 /// Where a search starts.
@@ -27,6 +28,8 @@ pub struct Search<'a> {
     footing: Option<Footing>,
     images: ImagePlan,
     cma: CmaEs,
+    /// Guesses one candidate of every generation.
+    surrogate: Option<Surrogate>,
     candidates: Vec<Vec<Vec3>>,
     evaluations: Vec<Evaluation>,
     leader: Vec<Vec3>,
@@ -60,6 +63,7 @@ impl<'a> Search<'a> {
             footing,
             images: preset.images,
             cma,
+            surrogate: preset.surrogate.then(Surrogate::default),
             candidates: Vec::new(),
             evaluations: Vec::new(),
             leader: start.factors.clone(),
@@ -73,8 +77,9 @@ impl<'a> Search<'a> {
         if self.cma.stop_reason().is_some() {
             return Ok(());
         }
-        self.candidates =
-            self.cma.ask().iter().map(|x| factors(&self.space, self.footing.as_ref(), x)).collect();
+        let points = self.cma.ask();
+        self.candidates = points.iter().map(|x| factors(&self.space, self.footing.as_ref(), x)).collect();
+        let images = self.objective.images_number(self.images);
         let evaluations = self.objective.evaluate(&self.candidates, self.images)?;
         self.evaluations.clear();
         self.evaluations.extend_from_slice(evaluations);
@@ -93,6 +98,12 @@ impl<'a> Search<'a> {
         }
         let losses: Vec<f64> = self.evaluations.iter().map(|e| e.loss).collect();
         self.cma.tell(&losses)?;
+        if let Some(surrogate) = &mut self.surrogate {
+            surrogate.learn(&points, &losses, images);
+            if let Some(guess) = surrogate.guess(&self.cma) {
+                self.cma.inject(&guess)?;
+            }
+        }
         Ok(())
     }
 

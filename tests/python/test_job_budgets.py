@@ -4,6 +4,7 @@
 import boxmorph
 import numpy as np
 import pytest
+from toy_guides import Toy
 
 
 def searched(chair, guide, prompt="a bar stool", **options):
@@ -13,7 +14,7 @@ def searched(chair, guide, prompt="a bar stool", **options):
     return job.result()
 
 
-@pytest.mark.parametrize("preset, images", [("draft", 1600), ("standard", 4800)])
+@pytest.mark.parametrize("preset, images", [("draft", 1400), ("standard", 4500)])
 def test_a_preset_keeps_to_its_budget(chair, guide, preset, images):
     result = searched(chair, guide, preset=preset)
     assert result.report()["image_budget"] == images
@@ -34,7 +35,7 @@ def test_more_images_find_more(chair, guide):
     prompts = ("a bar stool", "a throne", "a sofa", "a bench")
     gains = [
         sum(searched(chair, guide, prompt, images=images).score_after for prompt in prompts)
-        for images in (200, 4800)
+        for images in (200, 4500)
     ]
     assert gains[1] > gains[0] + 0.05
 
@@ -46,6 +47,20 @@ def test_what_was_found_in_some_seconds_is_found_again_by_its_record(chair, guid
     again = searched(chair, guide, images=report["image_budget"])
     if timed.seconds < 0.95 * 4.0:  # else time ran out before the budget did
         np.testing.assert_array_equal(again.vertices, timed.vertices)
+
+
+def test_with_a_slow_guide_and_little_time_few_shapes_are_looked_at(chair, tmp_path):
+    # Large pictures take long: not every start can be tried in the time.
+    slow = boxmorph.Guide.open(Toy(size=1536).write(tmp_path), threads=1)
+    result = searched(chair, slow, "a bar stool", seconds=1.0)
+    assert result.images_encoded < 250
+    assert result.score_after >= result.score_before
+
+
+def test_the_loss_of_the_paper_is_told_in_the_record(chair, guide):
+    usual, paper = (searched(chair, guide, images=500, paper_loss=loss) for loss in (False, True))
+    assert not usual.report()["paper_loss"] and paper.report()["paper_loss"]
+    assert not np.array_equal(usual.vertices, paper.vertices)
 
 
 @pytest.mark.parametrize(

@@ -210,6 +210,16 @@ impl CmaEs {
         self.transform.outer(self.distribution.mean())
     }
 
+    /// The coordinates of `x`, within the bounds, in which the distribution is round and of unit width.
+    pub(in crate::search) fn whitened(&self, x: &[f64]) -> DVector<f64> {
+        self.distribution.whitened(self.transform.inner(x))
+    }
+
+    /// The point of these coordinates.
+    pub(in crate::search) fn unwhitened(&self, z: &DVector<f64>) -> Vec<f64> {
+        self.transform.outer(&self.distribution.at(&self.distribution.step(z)))
+    }
+
     /// A candidate drawn from the distribution.
     fn drawn(&mut self) -> Candidate {
         let rng = &mut self.rng;

@@ -58,6 +58,11 @@ impl Covariance {
         sample
     }
 
+    /// D⁻¹·Bᵀ·y: what [`Covariance::shape`] makes y of.
+    pub(super) fn unshape(&self, y: &DVector<f64>) -> DVector<f64> {
+        self.axes.tr_mul(y).component_div(&self.lengths)
+    }
+
     /// C^(−1/2)·y, by the last decomposition.
     pub(super) fn whiten(&self, y: &DVector<f64>) -> DVector<f64> {
         let mut white = DVector::zeros(y.len());
@@ -144,6 +149,7 @@ mod tests {
         assert!(covariance.decompose(1));
         let z = DVector::from_vec(vec![0.3, -1.2, 0.7]);
         assert_relative_eq!(covariance.whiten(&covariance.shape(&z)).norm(), z.norm(), epsilon = 1e-12);
+        assert_relative_eq!(covariance.unshape(&covariance.shape(&z)), z, epsilon = 1e-12);
     }
 
     #[test]

@@ -86,6 +86,11 @@ impl Distribution {
         }
     }
 
+    /// The standard normal vector that leads to `inner`.
+    pub(super) fn whitened(&self, inner: Vec<f64>) -> DVector<f64> {
+        self.covariance.unshape(&((DVector::from_vec(inner) - &self.mean) / self.sigma))
+    }
+
     /// Where a step leads, in inner coordinates.
     pub(super) fn at(&self, step: &Step) -> Vec<f64> {
         (&self.mean + self.sigma * &step.direction).as_slice().to_vec()
