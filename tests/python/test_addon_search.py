@@ -106,3 +106,14 @@ def test_a_search_takes_the_seconds_that_it_is_given():
     assert record["seconds_budget"] == 2.0 and record["image_budget"] > 0
     asked = blender.addon("again").settings_of(record)
     assert (asked["preset"], asked["seconds"]) == ("time", 2.0)
+
+
+def test_the_guide_is_opened_once_for_all_searches():
+    engine = blender.addon("engine")
+    engine.close_guide()
+    opened = []
+    for prompt in ("a bar stool", "a sofa"):
+        blender.chair()
+        blender.deform(prompt, preset="draft")
+        opened.append(engine.known_guide()[0])
+    assert opened[0] is not None and opened[0] is opened[1]
