@@ -21,7 +21,7 @@ const SCOUTING: f64 = 0.5;
 
 /// Searches of the fewest parts where the budget is [`USUAL`]; more with the power [`GROWTH`] of a larger one.
 const SCOUTS: f64 = 3.0;
-const USUAL: f64 = 4500.0;
+const USUAL: f64 = 4800.0;
 const GROWTH: f64 = 0.45;
 
 /// Searches of more parts, as shares of those of the fewest.
@@ -194,8 +194,8 @@ mod tests {
     fn a_larger_budget_looks_at_more_starts_and_fewer_are_followed() {
         let counts = |images: usize| [0, 1, 2, 3].map(|level| searches(level, images));
         assert_eq!(counts(1400), [2, 2, 1, 1]);
-        assert_eq!(counts(4500), [3, 2, 1, 1]);
-        assert_eq!(counts(22_500), [6, 4, 2, 2]);
+        assert_eq!(counts(4800), [3, 2, 1, 1]);
+        assert_eq!(counts(24_000), [6, 4, 2, 2]);
         assert_eq!(counts(10), [1, 1, 1, 1]);
     }
 }

@@ -99,12 +99,12 @@ impl Preset {
     /// A result in seconds.
     pub const STANDARD: Self = Self {
         name: "standard",
-        budget: Some(Budget::Images(4500)),
+        budget: Some(Budget::Images(4800)),
         splits: &[2, 3, 4],
         symmetry: Symmetry::Auto,
         boundary: Boundary::Smooth,
         population: (6.0, 2.0),
-        surrogate: true,
+        surrogate: false,
         sigma: 1.0,
         max_crossing: Some(0.015),
         max_generations: usize::MAX,
@@ -117,10 +117,13 @@ impl Preset {
     };
 
     /// A first look.
-    pub const DRAFT: Self = Self { name: "draft", budget: Some(Budget::Images(1400)), ..Self::STANDARD };
+    ///
+    /// Guesses are worth most where images are few: with three times as many they gain nothing.
+    pub const DRAFT: Self =
+        Self { name: "draft", budget: Some(Budget::Images(1400)), surrogate: true, ..Self::STANDARD };
 
     /// As good as it gets.
-    pub const BEST: Self = Self { name: "best", budget: Some(Budget::Images(22_500)), ..Self::STANDARD };
+    pub const BEST: Self = Self { name: "best", budget: Some(Budget::Images(24_000)), ..Self::STANDARD };
 
     /// All presets, the cheapest first.
     pub const ALL: [Self; 4] = [Self::DRAFT, Self::STANDARD, Self::BEST, Self::PAPER];
@@ -159,7 +162,14 @@ impl Preset {
     /// For a search in which candidates of different generations are compared: all are seen by the same images.
     #[must_use]
     pub fn for_variations(self) -> Self {
-        Self { max_generations: 36, images: ImagePlan::InTurn, population: (4.0, 3.5), ..self }
+        Self {
+            max_generations: 36,
+            images: ImagePlan::InTurn,
+            population: (4.0, 3.5),
+            // Guesses crowd together, and variations are chosen among all candidates.
+            surrogate: false,
+            ..self
+        }
     }
 
     /// For a search in which nothing counts but the score and what was asked for, where another found nothing.
