@@ -86,12 +86,10 @@ def test_an_object_turned_in_its_own_space_is_deformed_along_its_own_axes(degree
 
 @pytest.mark.parametrize("unit", [1e-6, 1e6])
 def test_millionths_and_millions_of_a_unit_are_deformed_alike(unit):
-    expected, expected_record = outcome(blender.chair())
+    expected, _ = outcome(blender.chair())
     blender.empty_scene()
     obj = blender.chair()
     obj.data.transform(Matrix.Scale(unit, 4))
     key, record = outcome(obj)
     assert record["score_after"] > record["score_before"] + 0.05
-    # A coordinate's last bit can turn the search another way: the same design, a few hundredths apart.
-    assert np.abs(key / unit - expected).max() < 0.06
-    assert abs(record["score_after"] - expected_record["score_after"]) < 0.02
+    assert np.abs(key / unit - expected).max() < 0.02
