@@ -11,8 +11,7 @@ import sys
 import time
 from pathlib import Path
 
-from screen_download import AWAY, PACKAGE, PREFS, open_preferences
-from screen_drive import Screen
+from screen_download import AWAY, PACKAGE, PREFS, open_preferences, sit
 from screen_steps import find, report
 
 STATE = f"__import__('sys').modules['{PACKAGE}.core.guide_copies'].state"
@@ -75,18 +74,7 @@ def main(folder, artifacts, suite):
     def shots(step):
         return f"{artifacts}/copy-{suite}-{step}.png"
 
-    start = Path(folder, "copy")
-    start.mkdir()
-    with Screen(start, [f"{folder}/chair.blend"]) as screen:
-        try:
-            copy(screen, folder, shots)
-        except RuntimeError as error:
-            report(False, "the session goes on", error)
-            screen.shot(shots("failed"))
-        report(screen.quit() == 0, "quitting after it is clean")
-    log = (start / "blender.log").read_text(encoding="utf-8", errors="replace")
-    # Blender tells where it may not ask for news of its own.
-    report("Traceback" not in log, "Blender printed no error", log[-3000:])
+    sit(folder, lambda screen: copy(screen, folder, shots), "copy", shots)
 
 
 if __name__ == "__main__":

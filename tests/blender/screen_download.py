@@ -185,24 +185,29 @@ def second(screen, hub, shots):
     remove(screen, rectangle, shots)
 
 
+def sit(folder, sitting, name, shots):
+    """One session of Blender: what `sitting` does with its screen. It goes on to its end, which is clean."""
+    start = Path(folder, name)
+    start.mkdir()
+    with Screen(start, [f"{folder}/chair.blend"]) as screen:
+        try:
+            sitting(screen)
+        except RuntimeError as error:
+            report(False, "the session goes on", error)
+            screen.shot(shots("failed"))
+        report(screen.quit() == 0, "quitting after it is clean")
+    log = (start / "blender.log").read_text(encoding="utf-8", errors="replace")
+    # Blender tells where it may not ask for news of its own, and where it gets none: these are no faults.
+    report("Traceback" not in log, "Blender printed no error", log[-3000:])
+
+
 def main(folder, artifacts, suite):
     def shots(step):
         return f"{artifacts}/download-{suite}-{step}.png"
 
     with HubServer() as hub:
         for sitting in (first, second):
-            start = Path(folder, sitting.__name__)
-            start.mkdir()
-            with Screen(start, [f"{folder}/chair.blend"]) as screen:
-                try:
-                    sitting(screen, hub, shots)
-                except RuntimeError as error:
-                    report(False, "the session goes on", error)
-                    screen.shot(shots("failed"))
-                report(screen.quit() == 0, "quitting after it is clean")
-            log = (start / "blender.log").read_text(encoding="utf-8", errors="replace")
-            # Once it may, Blender asks for news of its own, and tells where it gets none.
-            report("Traceback" not in log, "Blender printed no error", log[-3000:])
+            sit(folder, lambda screen, sitting=sitting: sitting(screen, hub, shots), sitting.__name__, shots)
 
 
 if __name__ == "__main__":
