@@ -52,8 +52,6 @@ pub struct Preset {
     pub boundary: Boundary,
     /// Candidates a generation: `base + per_log · ln(dimensions)`.
     pub population: (f64, f64),
-    /// Whether a model of the loss guesses one candidate of every generation ([`super::Surrogate`]).
-    pub surrogate: bool,
     /// First step size, in units of x.
     pub sigma: f64,
     /// Share of the triangles that may cross others in an outcome over those of the mesh; one that has more goes
@@ -84,7 +82,6 @@ impl Preset {
         symmetry: Symmetry::X,
         boundary: Boundary::Paper,
         population: (12.0, 9.0),
-        surrogate: false,
         sigma: 1.0,
         max_crossing: None,
         max_generations: 80,
@@ -104,7 +101,6 @@ impl Preset {
         symmetry: Symmetry::Auto,
         boundary: Boundary::Smooth,
         population: (6.0, 2.0),
-        surrogate: false,
         sigma: 1.0,
         max_crossing: Some(0.015),
         max_generations: usize::MAX,
@@ -117,10 +113,7 @@ impl Preset {
     };
 
     /// A first look.
-    ///
-    /// Guesses are worth most where images are few: with three times as many they gain nothing.
-    pub const DRAFT: Self =
-        Self { name: "draft", budget: Some(Budget::Images(1400)), surrogate: true, ..Self::STANDARD };
+    pub const DRAFT: Self = Self { name: "draft", budget: Some(Budget::Images(1400)), ..Self::STANDARD };
 
     /// As good as it gets.
     pub const BEST: Self = Self { name: "best", budget: Some(Budget::Images(24_000)), ..Self::STANDARD };
@@ -162,14 +155,7 @@ impl Preset {
     /// For a search in which candidates of different generations are compared: all are seen by the same images.
     #[must_use]
     pub fn for_variations(self) -> Self {
-        Self {
-            max_generations: 36,
-            images: ImagePlan::InTurn,
-            population: (4.0, 3.5),
-            // Guesses crowd together, and variations are chosen among all candidates.
-            surrogate: false,
-            ..self
-        }
+        Self { max_generations: 36, images: ImagePlan::InTurn, population: (4.0, 3.5), ..self }
     }
 
     /// For a search in which nothing counts but the score and what was asked for, where another found nothing.

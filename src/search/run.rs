@@ -4,9 +4,9 @@
 use glam::Vec3;
 
 use super::cmaes::{CmaEs, CmaEsOptions};
+use super::surrogate::Surrogate;
 use super::{
     Evaluation, Footing, ImagePlan, Objective, ObjectiveError, Preset, SearchError, SearchSpace, StopReason,
-    Surrogate,
 };
 
 /// Where a search starts.
@@ -63,13 +63,19 @@ impl<'a> Search<'a> {
             footing,
             images: preset.images,
             cma,
-            surrogate: preset.surrogate.then(Surrogate::default),
+            surrogate: None,
             candidates: Vec::new(),
             evaluations: Vec::new(),
             leader: start.factors.clone(),
             best: (f64::INFINITY, start.factors.clone()),
             highest: (f64::NEG_INFINITY, start.factors.clone()),
         })
+    }
+
+    /// Has a model of the loss guess one candidate of every generation.
+    #[must_use]
+    pub fn guided(self) -> Self {
+        Self { surrogate: Some(Surrogate::default()), ..self }
     }
 
     /// One generation. Does nothing once there is a [`Search::stop_reason`].
