@@ -9,6 +9,7 @@ protocol takes a minute and more of a core for a pair and seed. Needs the refere
 
 Our presets want more than a high score: rivals kept off, feet on the floor, no crossings, smooth joints.
 "as the paper" has the paper's loss, joints and symmetry in their place: the same problem for fewer images.
+Beside the presets, budgets between them show how the score grows with the images.
 """
 
 import argparse
@@ -25,13 +26,20 @@ import reference
 import results
 
 AS_THE_PAPER = {"paper_loss": True, "boundary": "paper", "symmetry": "x"}
-PRESETS = {
+BUDGETS = {
+    "500 images": ("standard", {"images": 500}),
     "draft": ("draft", {}),
+    "2,400 images": ("standard", {"images": 2_400}),
     "standard": ("standard", {}),
+    "10,000 images": ("standard", {"images": 10_000}),
     "best": ("best", {}),
-    "draft, as the paper": ("draft", AS_THE_PAPER),
-    "standard, as the paper": ("standard", AS_THE_PAPER),
-    "best, as the paper": ("best", AS_THE_PAPER),
+}
+PRESETS = {
+    **BUDGETS,
+    **{
+        f"{name}, as the paper": (preset, options | AS_THE_PAPER)
+        for name, (preset, options) in BUDGETS.items()
+    },
     "paper": ("paper", {}),
 }
 
