@@ -5,7 +5,7 @@ Ring 1: cargo. Ring 2: pytest on the built wheel, then the extension in bpy 4.2,
 Ring 3: the built zip in real Blender, in a chroot: headless, out of an extensions repository, and by a real
 mouse on a virtual screen.
 Pytest shares its files among the cores, and the chroots are made meanwhile. The two Blenders of the third
-ring run side by side, as they mostly wait; the screen, where answers are timed, comes last, one at a time.
+ring run side by side, as they mostly wait; where answers are timed, on the screen, they come one at a time.
 What a machine cannot provide is left out, by name, at the end.
 """
 
@@ -21,8 +21,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 CHROOTS = pathlib.Path(os.environ.get("BOXMORPH_CHROOTS", ROOT / "build" / "chroot"))
 BPY = {"4.2": ["bpy==4.2.23"], "5.0": ["bpy==5.0.1"]}
 SUITES = {"trixie": "Blender 4.3", "sid": "Blender 5.2"}
-#: Runners of the third ring that may run beside another.
-TOGETHER = ("headless", "repository", "install", "download")
+#: Runners of the third ring that may run beside another, and those that must be alone.
+TOGETHER, ALONE = ("headless", "repository", "install"), ("download", "screen")
 #: Files stay whole, as many build their objects once.
 PYTEST = ["-m", "pytest", "--numprocesses", "auto", "--maxprocesses", "4", "--dist", "loadfile"]
 COUNT = re.compile(r"(\d+) (passed|failed|skipped|ignored|errors?)\b")
@@ -117,7 +117,7 @@ def main() -> int:
     with concurrent.futures.ThreadPoolExecutor(len(SUITES)) as side_by_side:
         list(side_by_side.map(lambda suite: ring3(tally, suite, TOGETHER), there))
     for suite in there:
-        ring3(tally, suite, ("screen",))
+        ring3(tally, suite, ALONE)
     print("\n" + "".join(f"left out: {what}\n" for what in tally.left_out))
     print(", ".join(f"{number} {kind}" for kind, number in tally.counts.items()))
     return 1 if tally.counts["failed"] else 0
