@@ -7,35 +7,33 @@
 //! The embedded guide is compiled into the library.
 
 mod agreement;
+mod eight_bit_copy;
 mod encoder;
 mod error;
 mod files;
 mod layout;
 mod network;
 mod onnx;
+mod opening;
 mod preprocess;
 mod prologue;
+mod prompts;
 mod provider;
 mod quantize;
 mod runtime;
-mod smaller;
 mod suggest;
 mod text;
 
-use std::path::Path;
 use std::sync::OnceLock;
 
 pub use agreement::Agreement;
+pub use eight_bit_copy::{CopyProgress, CopyStep, EightBitCopy, eight_bit_copy};
 pub use error::GuideError;
 pub use provider::Provider;
 pub use runtime::{library as runtime_library, set_default_library, version as runtime_version};
-pub use smaller::{Copied, Smaller, Step, smaller};
 
 use encoder::Encoder;
-use files::GuideFiles;
-use network::Network;
 use preprocess::Preprocess;
-use suggest::Vocabulary;
 use text::Text;
 
 /// RGB images encoded in one run of the network. Fixed, so that no result depends on the number of threads.
@@ -45,21 +43,6 @@ const IMAGE_BATCH: usize = 12;
 /// takes a quarter longer for each, its weights coming anew from memory after images were drawn; more gain little.
 const ENOUGH: usize = 8;
 const ENOUGH_ON_CARD: usize = 144;
-
-/// Longest prompt taken, in characters: guides read some tens of words at most.
-const MAX_PROMPT: usize = 1000;
-
-/// Unknown words named in one refusal.
-const NAMED: usize = 6;
-
-/// Names given as examples where nothing the guide knows is spelled like the prompt.
-const EXAMPLES: usize = 8;
-
-/// Networks up to this size are opened once a thread; larger ones share one session.
-const SMALL_MODEL_BYTES: usize = 64 << 20;
-
-/// Most rows of a text network's table that no token of its tokenizer uses.
-const SPARE_ROWS: usize = 1024;
 
 /// An opened text–image model. Embeddings are unit vectors of [`Guide::dimension`] numbers.
 pub struct Guide {
@@ -84,83 +67,6 @@ impl std::fmt::Debug for Guide {
 }
 
 impl Guide {
-    /// Opens the guide in `folder`, or the embedded one. `threads` defaults to the machine's; `provider`, which
-    /// encodes the images, to the processor, or for a large guide to a graphics card where a library of the
-    /// user's own has one; `precision`, such as "fp16" or "int8", to the most exact that the folder has.
-    ///
-    /// A provider that cannot be used is no error: the processor takes its place, and
-    /// [`Guide::provider_note`] says why.
-    pub fn open(
-        folder: Option<&Path>,
-        threads: Option<usize>,
-        provider: Option<Provider>,
-        precision: Option<&str>,
-    ) -> Result<Self, GuideError> {
-        let files = match folder {
-            Some(folder) => GuideFiles::read(folder, precision)?,
-            None => GuideFiles::embedded()?,
-        };
-        let threads = threads.unwrap_or_else(available_threads).max(1);
-        let small = files.vision.bytes() <= SMALL_MODEL_BYTES;
-        let wanted = match provider {
-            Some(provider) => provider,
-            None => provider::automatic(small)?,
-        };
-        let mut note = None;
-        if !wanted.is_offered()? {
-            note = Some(wanted.missing());
-        } else if wanted != Provider::Cpu {
-            match Self::of_files(files.clone(), threads, small, wanted) {
-                Ok(guide) => return Ok(guide),
-                Err(error) => note = Some(wanted.failed(&error)),
-            }
-        }
-        let guide = Self::of_files(files, threads, small, Provider::Cpu)?;
-        Ok(Self { provider_note: note, ..guide })
-    }
-
-    fn of_files(
-        files: GuideFiles,
-        threads: usize,
-        small: bool,
-        provider: Provider,
-    ) -> Result<Self, GuideError> {
-        let environment = runtime::environment()?;
-        let (sessions, intra) = if small && provider == Provider::Cpu { (threads, 1) } else { (1, threads) };
-        let preprocess = Preprocess::from_json(&files.preprocessor)?;
-        check_images(&files.vision, preprocess.size)?;
-        let text = Text::new(&files)?;
-        check_vocabulary(&files.text, text.vocabulary_size())?;
-        let classes = files.classes();
-        let (network, hash) =
-            rayon::join(|| prologue::extend(&files.vision, preprocess.size), || files.hash());
-        // What has been read of the image network is large, and needed no more.
-        let GuideFiles { name, text: text_network, precision, .. } = files;
-        let network = network?;
-        let runtime = &environment;
-        let open_vision = move || Encoder::open(runtime, &network, provider, sessions, intra);
-        // One prompt a search: not worth another device's start.
-        let open_text = || Encoder::open(runtime, &text_network, Provider::Cpu, 1, intra);
-        // Each keeps one processor busy.
-        let (vision, text_encoder) = rayon::join(open_vision, open_text);
-        let mut guide = Self {
-            hash,
-            classes,
-            class_embeddings: OnceLock::new(),
-            name,
-            preprocess,
-            text,
-            vision: vision?,
-            text_encoder: text_encoder?,
-            dimension: 0,
-            provider,
-            provider_note: None,
-            precision,
-        };
-        guide.dimension = guide.check_dimensions()?;
-        Ok(guide)
-    }
-
     /// The folder's name, or `mini` for the embedded guide.
     #[must_use]
     pub fn name(&self) -> &str {
@@ -212,7 +118,7 @@ impl Guide {
 
     /// The unit embedding of `text`.
     pub fn text_embedding(&self, text: &str) -> Result<Vec<f32>, GuideError> {
-        check_prompt(text)?;
+        prompts::check_text(text)?;
         let tokens = self.text.encode(text)?;
         let mut embedding = self.text_encoder.encode_tokens(&tokens)?;
         normalise(&mut embedding)?;
@@ -279,96 +185,6 @@ impl Guide {
     pub fn unknown_words(&self, text: &str) -> Result<Vec<String>, GuideError> {
         self.text.unknown_words(text)
     }
-
-    /// Refuses a prompt that is empty, endless, or of unknown words alone.
-    pub fn check_prompt(&self, prompt: &str) -> Result<(), GuideError> {
-        check_prompt(prompt)?;
-        let unknown = self.text.unknown_words(prompt)?;
-        if text::naming_words(prompt, &unknown) > 0 {
-            return Ok(());
-        }
-        let named = &unknown[..unknown.len().min(NAMED)];
-        let nearest: Vec<String> = named.iter().flat_map(|word| self.nearest_words(word, 2)).collect();
-        let hint = if !nearest.is_empty() {
-            format!("The nearest it knows: {}", nearest.join(", "))
-        } else if !self.classes.is_empty() {
-            format!("It knows, for example: {}", self.examples().join(", "))
-        } else {
-            "Name an object".to_owned()
-        };
-        let words = if named.is_empty() { prompt.trim().to_owned() } else { named.join(", ") };
-        Err(GuideError::UnknownPrompt { words, hint })
-    }
-
-    /// At most `count` words the guide knows that are spelled like `word`; none for a guide that spells
-    /// words out.
-    #[must_use]
-    pub fn nearest_words(&self, word: &str, count: usize) -> Vec<String> {
-        if self.classes.is_empty() {
-            return Vec::new();
-        }
-        Vocabulary::new(self.text.vocabulary()).nearest(word, count)
-    }
-
-    /// Some names it was taught, from all over its list.
-    fn examples(&self) -> Vec<String> {
-        let step = (self.classes.len() / EXAMPLES).max(1);
-        self.classes.iter().step_by(step).take(EXAMPLES).cloned().collect()
-    }
-
-    /// Runs both networks once, so that a guide whose parts do not fit is refused when opened.
-    fn check_dimensions(&self) -> Result<usize, GuideError> {
-        let mut text = self.text_encoder.encode_tokens(&self.text.encode("a chair")?)?;
-        // Of all shades: a small network may well see nothing in a blank image.
-        let shades: Vec<u8> = (0..(self.preprocess.size as usize).pow(2) * 3).map(|k| k as u8).collect();
-        let mut image = self.vision.encode_images(&shades, &self.preprocess, 1)?;
-        if text.len() != image.len() || text.is_empty() {
-            return Err(GuideError::Dimensions { text: text.len(), image: image.len() });
-        }
-        normalise(&mut text)?;
-        normalise(&mut image)?;
-        Ok(text.len())
-    }
-}
-
-fn available_threads() -> usize {
-    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
-}
-
-/// Refuses an image network that reads one size of images where another is made.
-fn check_images(vision: &Network, size: u32) -> Result<(), GuideError> {
-    if let Some(count) = vision.fixed_batch().filter(|count| *count != 1) {
-        let reason = format!("it reads {count} images at a time; export it for any number");
-        return Err(GuideError::BadModel { file: vision.file.clone(), reason });
-    }
-    match vision.fixed_image() {
-        Some((height, width)) if (height, width) != (size as usize, size as usize) => {
-            Err(GuideError::ImageSize { file: vision.file.clone(), width, height, size })
-        }
-        _ => Ok(()),
-    }
-}
-
-/// Refuses a tokenizer that is not the text network's own.
-fn check_vocabulary(text: &Network, tokens: usize) -> Result<(), GuideError> {
-    match text.vocabulary {
-        // Tables are rounded up in some models.
-        Some(known) if !(tokens..=tokens + SPARE_ROWS).contains(&known) => {
-            Err(GuideError::Vocabulary { file: text.file.clone(), tokens, known })
-        }
-        _ => Ok(()),
-    }
-}
-
-fn check_prompt(prompt: &str) -> Result<(), GuideError> {
-    if prompt.trim().is_empty() {
-        return Err(GuideError::EmptyPrompt);
-    }
-    let length = prompt.chars().count();
-    if length > MAX_PROMPT {
-        return Err(GuideError::LongPrompt { length, most: MAX_PROMPT });
-    }
-    Ok(())
 }
 
 fn normalise_each(embeddings: &mut [f32], dimension: usize) -> Result<(), GuideError> {

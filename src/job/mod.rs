@@ -3,7 +3,7 @@
 
 mod background;
 mod coarse_to_fine;
-mod copying;
+mod copy_job;
 mod entrant;
 mod error;
 mod finalist;
@@ -23,7 +23,7 @@ use std::thread::JoinHandle;
 
 use glam::Vec3;
 
-pub use copying::{CopySpec, Copying};
+pub use copy_job::{CopyJob, CopySpec};
 pub use error::JobError;
 pub use outcome::Outcome;
 pub use progress::Progress;

@@ -7,19 +7,19 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::errors::IntoPyErr;
-use crate::guide::{Smaller, Step};
-use crate::job::{CopySpec, Copying};
+use crate::guide::{CopyStep, EightBitCopy};
+use crate::job::{CopyJob, CopySpec};
 
 /// A copy of a guide in eight bits, made on a thread of its own; not started when made.
 #[pyclass(frozen, name = "EightBitCopy", module = "boxmorph")]
-pub struct PyEightBitCopy(Copying);
+pub struct PyEightBitCopy(CopyJob);
 
 #[pymethods]
 impl PyEightBitCopy {
     #[new]
     #[pyo3(signature = (folder, output=None, threads=None))]
     fn new(folder: PathBuf, output: Option<PathBuf>, threads: Option<usize>) -> Self {
-        Self(Copying::new(CopySpec { folder, output, threads }))
+        Self(CopyJob::new(CopySpec { folder, output, threads }))
     }
 
     fn start(&self) -> PyResult<()> {
@@ -27,15 +27,15 @@ impl PyEightBitCopy {
     }
 
     fn progress<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let (phase, fraction) = self.0.progress().map_or(("Waiting", 0.0), |copied| {
-            let phase = match copied.step {
-                Step::Reading => "Reading the guide",
-                Step::Shrinking => "Making it smaller",
-                Step::Writing => "Writing the copy",
-                Step::Opening => "Opening both",
-                Step::Comparing => "Comparing them",
+        let (phase, fraction) = self.0.progress().map_or(("Waiting", 0.0), |progress| {
+            let phase = match progress.step {
+                CopyStep::Reading => "Reading the guide",
+                CopyStep::Quantizing => "Making it smaller",
+                CopyStep::Writing => "Writing the copy",
+                CopyStep::Opening => "Opening both",
+                CopyStep::Comparing => "Comparing them",
             };
-            (phase, copied.fraction)
+            (phase, progress.fraction)
         });
         let dict = PyDict::new(py);
         dict.set_item("phase", phase)?;
@@ -58,7 +58,7 @@ impl PyEightBitCopy {
 }
 
 /// What was made, and what it is worth.
-pub fn figures<'py>(py: Python<'py>, made: &Smaller) -> PyResult<Bound<'py, PyDict>> {
+pub fn figures<'py>(py: Python<'py>, made: &EightBitCopy) -> PyResult<Bound<'py, PyDict>> {
     let figures = PyDict::new(py);
     figures.set_item("file", &made.file)?;
     figures.set_item("products", made.products)?;

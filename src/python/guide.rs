@@ -75,7 +75,7 @@ impl PyGuide {
         threads: Option<usize>,
     ) -> PyResult<Bound<'_, PyDict>> {
         let made = py
-            .detach(|| guide::smaller(&folder, output.as_deref(), threads, &|_| true))
+            .detach(|| guide::eight_bit_copy(&folder, output.as_deref(), threads, &|_| true))
             .map_err(|e| IntoPyErr::into_py_err(&e))?;
         copy::figures(py, &made)
     }

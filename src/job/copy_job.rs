@@ -8,9 +8,9 @@ use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
 
 use super::{JobError, background, lock};
-use crate::guide::{Copied, Smaller, smaller};
+use crate::guide::{CopyProgress, EightBitCopy, eight_bit_copy};
 
-/// What is to be copied, and where to; see [`smaller`].
+/// What is to be progress, and where to; see [`eight_bit_copy`].
 #[derive(Debug, Clone)]
 pub struct CopySpec {
     /// The guide's folder.
@@ -23,7 +23,7 @@ pub struct CopySpec {
 
 /// A running or finished copy. Dropping it cancels the work, which leaves nothing behind then.
 #[derive(Debug)]
-pub struct Copying {
+pub struct CopyJob {
     spec: CopySpec,
     shared: Arc<Shared>,
     thread: Mutex<Option<JoinHandle<()>>>,
@@ -32,11 +32,11 @@ pub struct Copying {
 #[derive(Debug, Default)]
 struct Shared {
     cancelled: AtomicBool,
-    copied: Mutex<Option<Copied>>,
-    outcome: Mutex<Option<Result<Smaller, JobError>>>,
+    progress: Mutex<Option<CopyProgress>>,
+    outcome: Mutex<Option<Result<EightBitCopy, JobError>>>,
 }
 
-impl Copying {
+impl CopyJob {
     /// A copy that is not started.
     #[must_use]
     pub fn new(spec: CopySpec) -> Self {
@@ -51,11 +51,11 @@ impl Copying {
         }
         let (spec, shared) = (self.spec.clone(), self.shared.clone());
         let work = move || {
-            let watch = |copied| {
-                *lock(&shared.copied) = Some(copied);
+            let watch = |progress| {
+                *lock(&shared.progress) = Some(progress);
                 !shared.cancelled.load(Ordering::Acquire)
             };
-            let copy = || smaller(&spec.folder, spec.output.as_deref(), spec.threads, &watch);
+            let copy = || eight_bit_copy(&spec.folder, spec.output.as_deref(), spec.threads, &watch);
             let result = catch_unwind(AssertUnwindSafe(|| background::in_background(copy)));
             *lock(&shared.outcome) = Some(match result {
                 Ok(done) => done.map_err(JobError::from),
@@ -69,8 +69,8 @@ impl Copying {
 
     /// How far it is, once it has begun.
     #[must_use]
-    pub fn progress(&self) -> Option<Copied> {
-        *lock(&self.shared.copied)
+    pub fn progress(&self) -> Option<CopyProgress> {
+        *lock(&self.shared.progress)
     }
 
     /// Whether it has ended, in whatever way.
@@ -97,12 +97,12 @@ impl Copying {
     }
 
     /// The copy, once it is there.
-    pub fn result(&self) -> Result<Smaller, JobError> {
+    pub fn result(&self) -> Result<EightBitCopy, JobError> {
         lock(&self.shared.outcome).clone().unwrap_or(Err(JobError::NotFinished))
     }
 }
 
-impl Drop for Copying {
+impl Drop for CopyJob {
     fn drop(&mut self) {
         self.cancel();
     }

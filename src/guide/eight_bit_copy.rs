@@ -28,11 +28,11 @@ const COPIED: [&str; 7] = [
 
 /// What is being done for a copy, in this order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Step {
+pub enum CopyStep {
     /// The exact guide is read.
     Reading,
     /// Its matrix products are brought to eight bits.
-    Shrinking,
+    Quantizing,
     /// The copy is written.
     Writing,
     /// Both are opened.
@@ -43,25 +43,25 @@ pub enum Step {
 
 /// How far a copy is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Copied {
+pub struct CopyProgress {
     /// What is being done.
-    pub step: Step,
+    pub step: CopyStep,
     /// Share of the work done, 0 to 1.
     pub fraction: f64,
 }
 
 /// Is told how far a copy is, and answers whether to go on.
-pub type Watch<'a> = &'a (dyn Fn(Copied) -> bool + Sync);
+pub type Watch<'a> = &'a (dyn Fn(CopyProgress) -> bool + Sync);
 
 /// Shares of the work that are done when a step begins, about those of CLIP ViT-B/32.
-const SHRINKING: f64 = 0.03;
+const QUANTIZING: f64 = 0.03;
 const WRITING: f64 = 0.12;
 const OPENING: f64 = 0.14;
 const COMPARING: f64 = 0.3;
 
 /// A guide in eight bits, and what it is worth.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Smaller {
+pub struct EightBitCopy {
     /// The file that was written.
     pub file: PathBuf,
     /// Matrix products that are now in eight bits.
@@ -79,23 +79,23 @@ pub struct Smaller {
 ///
 /// `output` is the folder for a complete guide; None puts the copy beside the exact network. Nothing is left behind
 /// where the copy cannot be used, or where `watch` ends it.
-pub fn smaller(
+pub fn eight_bit_copy(
     folder: &Path,
     output: Option<&Path>,
     threads: Option<usize>,
     watch: Watch,
-) -> Result<Smaller, GuideError> {
+) -> Result<EightBitCopy, GuideError> {
     let reached = |step, fraction| {
-        if watch(Copied { step, fraction }) { Ok(()) } else { Err(GuideError::Cancelled) }
+        if watch(CopyProgress { step, fraction }) { Ok(()) } else { Err(GuideError::Cancelled) }
     };
-    reached(Step::Reading, 0.0)?;
+    reached(CopyStep::Reading, 0.0)?;
     let files = GuideFiles::read(folder, Some("fp32"))?;
     let layout = Layout::find(folder, Some("fp32"))?;
     let (Networks::Separate { vision: source, .. } | Networks::Combined(source)) = &layout.networks;
     let place = source.parent().and_then(|parent| parent.strip_prefix(folder).ok()).unwrap_or(Path::new(""));
     let output = output.unwrap_or(folder);
     let target = output.join(place).join(VISION);
-    reached(Step::Shrinking, SHRINKING)?;
+    reached(CopyStep::Quantizing, QUANTIZING)?;
     let mut model = decode(&files.vision.file, &files.vision.model)?;
     let products = quantize(&mut model, &files.vision.external).map_err(GuideError::Quantize)?;
     if products == 0 {
@@ -103,7 +103,7 @@ pub fn smaller(
     }
     let bytes = model.encode_to_vec();
     drop(model);
-    reached(Step::Writing, WRITING)?;
+    reached(CopyStep::Writing, WRITING)?;
     let mut written = Written::default();
     if output != folder {
         written.folder(output)?;
@@ -121,15 +121,15 @@ pub fn smaller(
     written.file(&target, &bytes)?;
     let exact_bytes = files.vision.bytes();
     drop(files);
-    reached(Step::Opening, OPENING)?;
+    reached(CopyStep::Opening, OPENING)?;
     let exact = Guide::open(Some(folder), threads, Some(Provider::Cpu), Some("fp32"))?;
-    reached(Step::Opening, f64::midpoint(OPENING, COMPARING))?;
+    reached(CopyStep::Opening, f64::midpoint(OPENING, COMPARING))?;
     let fast = Guide::open(Some(output), threads, Some(Provider::Cpu), Some("int8"))?;
     let agreement = Agreement::measure(&exact, &fast, |share| {
-        reached(Step::Comparing, COMPARING + (1.0 - COMPARING) * share)
+        reached(CopyStep::Comparing, COMPARING + (1.0 - COMPARING) * share)
     })?;
     written.keep();
-    Ok(Smaller { file: target, products, exact_bytes, bytes: bytes.len(), agreement })
+    Ok(EightBitCopy { file: target, products, exact_bytes, bytes: bytes.len(), agreement })
 }
 
 /// What was written so far; taken away again unless it is kept.
