@@ -3,7 +3,8 @@
 //! ended, and the best of all on to the end.
 //!
 //! Where a search of few parts ends decides which optimum one of many parts finds, and costs little. Half of the
-//! budget goes into finding a good start, half into going on from it.
+//! budget goes into finding a good start, half into going on from it. If another name is ahead of the prompt then still,
+//! the last quarter goes into a search for the score alone, which no rival leads away.
 
 use std::sync::Arc;
 
@@ -11,13 +12,20 @@ use super::JobError;
 use super::entrant::Entrant;
 use super::outcome::Stage;
 use super::run::{AGAIN, Run};
-use crate::search::{Budget, Start, StopReason, inherit};
+use crate::search::{Budget, Preset, Start, StopReason, inherit};
 
 /// First step size of a search that starts where one of fewer parts ended, in units of the search variable.
 const NARROW: f64 = 0.3;
 
 /// Share of the budget that is spent before the best is gone on with.
 const SCOUTING: f64 = 0.5;
+
+/// Share of the budget that is left for another way where a rival is still ahead of the best.
+const DETOUR: f64 = 0.25;
+
+/// Of that, the share in which nothing but the score counts, and that after which the way is compared with the best.
+const UNRIVALLED: f64 = 0.5;
+const TRIAL: f64 = 0.25;
 
 /// Searches of the fewest parts where the budget is [`USUAL`]; more with the power [`GROWTH`] of a larger one.
 const SCOUTS: f64 = 3.0;
@@ -71,17 +79,13 @@ impl<'a> Run<'a> {
                     break;
                 }
                 start.seed = self.spec.seed.wrapping_add(number * AGAIN);
-                let mut entrant = self.enter(stage, &self.spec.preset, &start, None)?;
-                if images <= GUIDED {
-                    entrant.search = entrant.search.guided();
-                }
-                self.advance(&mut entrant, share)?;
-                self.judge(&mut entrant)?;
+                let entrant = self.climb(stage, &self.spec.preset, &start, share)?;
                 field.push(entrant);
             }
             number += count as u64;
             field.sort_by(|a, b| a.loss().total_cmp(&b.loss()));
         }
+        self.detour(&mut field, end, number)?;
         // One that ends before the budget does leaves the rest to the next.
         for entrant in field.iter_mut().take(FINALISTS) {
             let left = end.saturating_sub(self.spent.images);
@@ -111,6 +115,28 @@ impl<'a> Run<'a> {
         }
     }
 
+    /// Goes on with the best and, where a rival is ahead of it then, tries another way: for the score alone at first.
+    fn detour(&mut self, field: &mut Vec<Entrant<'a>>, end: usize, number: u64) -> Result<(), JobError> {
+        let Some(leader) = field.first_mut() else { return Ok(()) };
+        let images = (DETOUR * self.budget as f64) as usize;
+        let stage = leader.stage.clone();
+        self.tell(&stage);
+        self.advance(leader, end.saturating_sub(self.spent.images + images))?;
+        self.judge(leader)?;
+        if !leader.is_outdone() || self.is_late() {
+            return Ok(());
+        }
+        let seed = self.spec.seed.wrapping_add(number * AGAIN);
+        let start = Start { factors: stage.whole.unchanged(), sigma: self.spec.preset.sigma, seed };
+        let alone = self.climb(&stage, self.unrivalled, &start, (UNRIVALLED * images as f64) as usize)?;
+        let start =
+            Start { factors: alone.factors().to_vec(), sigma: NARROW, seed: seed.wrapping_add(AGAIN) };
+        let other = self.climb(&stage, &self.spec.preset, &start, (TRIAL * images as f64) as usize)?;
+        field.push(other);
+        field.sort_by(|a, b| a.loss().total_cmp(&b.loss()));
+        Ok(())
+    }
+
     /// Searches a stage once more for the score alone, for half of the budget at most: where the prompt is far off,
     /// its rivals lead away from what little there is to gain.
     fn again(&mut self, stage: &Arc<Stage>) -> Result<(), JobError> {
@@ -138,6 +164,23 @@ impl<'a> Run<'a> {
         let sigma = self.spec.preset.sigma;
         let fresh = std::iter::repeat_with(|| Start { factors: stage.whole.unchanged(), sigma, seed: 0 });
         inherited.chain(fresh).take(count).collect()
+    }
+
+    /// Searches a stage for so many images.
+    fn climb(
+        &mut self,
+        stage: &Arc<Stage>,
+        preset: &'a Preset,
+        start: &Start,
+        images: usize,
+    ) -> Result<Entrant<'a>, JobError> {
+        let mut entrant = self.enter(stage, preset, start, None)?;
+        if self.budget <= GUIDED {
+            entrant.search = entrant.search.guided();
+        }
+        self.advance(&mut entrant, images)?;
+        self.judge(&mut entrant)?;
+        Ok(entrant)
     }
 
     /// Goes on with a search until it has encoded so many more images, or ends.

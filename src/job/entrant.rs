@@ -9,7 +9,7 @@ use super::JobError;
 use super::finalist::{Finalist, improves};
 use super::outcome::{Best, Stage};
 use super::soundness::Soundness;
-use crate::search::{Evaluation, Search, StopReason};
+use crate::search::{Evaluation, MARGIN, Search, StopReason};
 
 /// Halvings of the way back to the mesh where an outcome crosses itself.
 const HALVINGS: usize = 6;
@@ -52,6 +52,11 @@ impl<'a> Entrant<'a> {
     /// Score of the best, by every image.
     pub fn score(&self) -> f64 {
         self.best.0.score
+    }
+
+    /// Whether the best looks at least as much like another name as like the prompt.
+    pub fn is_outdone(&self) -> bool {
+        self.best.0.rivalry >= MARGIN
     }
 
     /// Whether the best is another shape than what was given.

@@ -45,6 +45,7 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
     let stages = stages(spec, &proxy, harness)?;
     let sketch = Sketch::of(proxy.mesh());
     let (again, variation) = (spec.preset.for_score_alone(), spec.preset.for_variations());
+    let unrivalled = spec.preset.without_rivals();
     let mut run = Run {
         spec,
         harness,
@@ -58,6 +59,7 @@ pub fn run(spec: &JobSpec, harness: &Harness) -> Result<Outcome, JobError> {
         winner: None,
         pool: Pool::default(),
         sketch: &sketch,
+        unrivalled: &unrivalled,
         again: &again,
         variation: &variation,
     };
@@ -114,7 +116,9 @@ pub struct Run<'a> {
     pub pool: Pool,
     /// and by what they are compared.
     pub sketch: &'a Sketch<'a>,
-    /// How to search once more where nothing was found,
+    /// How to search where a rival leads away,
+    pub unrivalled: &'a Preset,
+    /// once more where nothing was found,
     pub again: &'a Preset,
     /// and for variations.
     pub variation: &'a Preset,

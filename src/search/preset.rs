@@ -158,6 +158,12 @@ impl Preset {
         Self { max_generations: 36, images: ImagePlan::InTurn, population: (4.0, 3.5), ..self }
     }
 
+    /// Without rivals, for a search on the way to another.
+    #[must_use]
+    pub fn without_rivals(self) -> Self {
+        Self { rival_weight: 0.0, ..self }
+    }
+
     /// For a search in which nothing counts but the score and what was asked for, where another found nothing.
     #[must_use]
     pub fn for_score_alone(self) -> Self {

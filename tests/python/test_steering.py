@@ -62,3 +62,13 @@ def test_reference_shapes_become_what_they_are_told(which, reference, guide):
         first.append(ranking(guide, outcome.vertices, triangles)[0] == prompt)
     # One may miss: a desk with two feet makes no nightstand.
     assert sum(first) >= len(first) - 1, list(zip(PROMPTS[shape["category"]], first, strict=True))
+
+
+@pytest.mark.skipif(not REFERENCE.is_dir(), reason="the reference data is not beside the project")
+def test_where_another_name_is_ahead_another_way_is_tried(reference, guide):
+    # Led by its rivals the search ended at a score of 0.2 with this seed, and other names stayed ahead.
+    desk = next(shape for shape in reference if shape["id"].startswith("6e31a6"))
+    vertices, triangles = reference_mesh(desk)
+    outcome = outcome_of(boxmorph.Mesh(vertices, triangles), "a pool table", guide, seed=2)
+    assert outcome.score_after > 0.4
+    assert ranking(guide, outcome.vertices, triangles)[0] == "a pool table"
