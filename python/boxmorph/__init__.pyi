@@ -305,8 +305,8 @@ class Job:
         seconds: float | None = None,  # time that the search may take, in the place of images
         paper_loss: bool = False,  # whether the score and the normal error alone count
     ) -> None:
-        """Presets "draft", "standard" and "best" search from few parts to many on a budget of 1,400, 4,800
-        and 24,000 images; "paper" is the protocol of the paper, up to 100,000. With `seconds` the budget is
+        """Presets "draft", "standard" and "best" search from few parts to many on a budget of 1,400, 4,400
+        and 22,500 images; "paper" is the protocol of the paper, up to 100,000. With `seconds` the budget is
         what this machine encodes in that time; the record's `image_budget`, given as `images`, repeats the
         outcome, unless the time ran out before.
 

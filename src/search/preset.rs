@@ -96,7 +96,7 @@ impl Preset {
     /// A result in seconds.
     pub const STANDARD: Self = Self {
         name: "standard",
-        budget: Some(Budget::Images(4800)),
+        budget: Some(Budget::Images(4400)),
         splits: &[2, 3, 4],
         symmetry: Symmetry::Auto,
         boundary: Boundary::Smooth,
@@ -116,7 +116,7 @@ impl Preset {
     pub const DRAFT: Self = Self { name: "draft", budget: Some(Budget::Images(1400)), ..Self::STANDARD };
 
     /// As good as it gets.
-    pub const BEST: Self = Self { name: "best", budget: Some(Budget::Images(24_000)), ..Self::STANDARD };
+    pub const BEST: Self = Self { name: "best", budget: Some(Budget::Images(22_500)), ..Self::STANDARD };
 
     /// All presets, the cheapest first.
     pub const ALL: [Self; 4] = [Self::DRAFT, Self::STANDARD, Self::BEST, Self::PAPER];

@@ -14,7 +14,7 @@ def searched(chair, guide, prompt="a bar stool", **options):
     return job.result()
 
 
-@pytest.mark.parametrize("preset, images", [("draft", 1400), ("standard", 4800)])
+@pytest.mark.parametrize("preset, images", [("draft", 1400), ("standard", 4400)])
 def test_a_preset_keeps_to_its_budget(chair, guide, preset, images):
     result = searched(chair, guide, preset=preset)
     assert result.report()["image_budget"] == images
@@ -35,7 +35,7 @@ def test_more_images_find_more(chair, guide):
     prompts = ("a bar stool", "a throne", "a sofa", "a bench")
     gains = [
         sum(searched(chair, guide, prompt, images=images).score_after for prompt in prompts)
-        for images in (200, 4800)
+        for images in (200, 4400)
     ]
     assert gains[1] > gains[0] + 0.05
 
