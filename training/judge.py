@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT OR Apache-2.0
 """Make a judge for a guide that is there: a network of another seed that no search ever climbs.
 
-`python training/judge.py GUIDE OUT` draws shapes of its own, mines the guide's searches once, fits one network
-to both, and leaves OUT/judge for `steer.py`. `train.py` ends with the same, on the shapes of all its rounds.
+`python training/judge.py GUIDE OUT` draws shapes of its own, mines the guide's searches once, fits one
+network to both, and leaves OUT/judge for `steer.py`. `train.py` ends with the same, on the shapes of all its
+rounds.
 """
 
 import argparse
