@@ -3,8 +3,8 @@
 //! ended, and the best of all on to the end.
 //!
 //! Where a search of few parts ends decides which optimum one of many parts finds, and costs little. Half of the
-//! budget goes into finding a good start, half into going on from it. If another name is ahead of the prompt then still,
-//! the last quarter goes into a search for the score alone, which no rival leads away.
+//! budget goes into finding a good start, half into going on from it. Where another name is still ahead of the prompt
+//! before the last quarter, that goes into another way, which begins with the score alone: no rival leads it away.
 
 use std::sync::Arc;
 

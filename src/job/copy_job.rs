@@ -10,7 +10,7 @@ use std::thread::JoinHandle;
 use super::{JobError, background, lock};
 use crate::guide::{CopyProgress, EightBitCopy, eight_bit_copy};
 
-/// What is to be progress, and where to; see [`eight_bit_copy`].
+/// What is to be copied, and where to; see [`eight_bit_copy`].
 #[derive(Debug, Clone)]
 pub struct CopySpec {
     /// The guide's folder.
