@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! A guide's files, from a folder or from the library itself.
 
-use std::io::{ErrorKind, Read};
-use std::path::{Component, Path, PathBuf};
+use std::path::{Component, Path};
 use std::sync::Arc;
 
 use prost::bytes::Bytes;
@@ -10,6 +9,7 @@ use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 use super::GuideError;
+use super::disk::{optional, read, regular_file, required};
 use super::layout::{Layout, Networks};
 use super::network::{Network, Role, Weights, decode, external_files};
 
@@ -18,9 +18,6 @@ const MAX_NETWORK_BYTES: u64 = 2 << 30;
 
 /// Most bytes of weights in other files.
 const MAX_WEIGHT_BYTES: u64 = 16 << 30;
-
-/// Largest other file; a tokenizer of 256,000 words has 34 MB.
-const MAX_JSON_BYTES: u64 = 256 << 20;
 
 /// Longest text of any guide, in tokens.
 pub const MAX_TOKENS: usize = 4096;
@@ -258,48 +255,6 @@ impl Source {
     fn network(&self, role: Role) -> Result<Network, GuideError> {
         Network::of_model(&self.file, &self.model, &self.external, role)
     }
-}
-
-/// Whether `path` is a file; an error where something else, or a link to nothing, is in its place.
-pub fn regular_file(path: &Path) -> Result<bool, GuideError> {
-    let shown = || path.display().to_string();
-    match std::fs::metadata(path) {
-        Ok(found) if found.is_file() => Ok(true),
-        Ok(found) => {
-            let what = if found.is_dir() { "a folder" } else { "a device or a pipe" };
-            Err(GuideError::NotAFile { path: shown(), what })
-        }
-        Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {
-            if std::fs::symlink_metadata(path).is_ok() {
-                return Err(GuideError::NotAFile { path: shown(), what: "a link to nothing" });
-            }
-            Ok(false)
-        }
-        Err(error) => Err(GuideError::Unreadable { path: shown(), reason: error.to_string() }),
-    }
-}
-
-fn required(folder: &Path, name: &'static str) -> Result<Vec<u8>, GuideError> {
-    optional(folder, name)?
-        .ok_or_else(|| GuideError::MissingFile { folder: folder.display().to_string(), file: name.into() })
-}
-
-fn optional(folder: &Path, name: &str) -> Result<Option<Vec<u8>>, GuideError> {
-    let path: PathBuf = folder.join(name);
-    if regular_file(&path)? { read(&path, MAX_JSON_BYTES).map(Some) } else { Ok(None) }
-}
-
-fn read(path: &Path, most: u64) -> Result<Vec<u8>, GuideError> {
-    let shown = || path.display().to_string();
-    let unreadable = |e: std::io::Error| GuideError::Unreadable { path: shown(), reason: e.to_string() };
-    let file = std::fs::File::open(path).map_err(unreadable)?;
-    let length = file.metadata().map_err(unreadable)?.len();
-    if length > most {
-        return Err(GuideError::TooLarge { path: shown(), most: most >> 20 });
-    }
-    let mut bytes = Vec::with_capacity(length as usize);
-    file.take(most).read_to_end(&mut bytes).map_err(unreadable)?;
-    Ok(bytes)
 }
 
 fn json(file: &'static str, bytes: &[u8]) -> Result<Value, GuideError> {

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use super::GuideError;
-use super::files::regular_file;
+use super::disk::regular_file;
 
 /// Folders looked into, one after the other.
 const PLACES: [&str; 2] = ["", "onnx"];

@@ -7,6 +7,7 @@
 //! The embedded guide is compiled into the library.
 
 mod agreement;
+mod disk;
 mod eight_bit_copy;
 mod encoder;
 mod error;

@@ -18,6 +18,7 @@ use super::endpoint::{self, host, is_safe};
 use super::failure;
 use super::hash::Hash;
 use super::proxy::proxy_for;
+use super::wanted::Wanted;
 
 /// Redirects that are followed; the hub needs two.
 const MOST_REDIRECTS: usize = 8;
@@ -31,14 +32,6 @@ const LOOK: Duration = Duration::from_millis(50);
 
 /// Says whether the work is to stop.
 pub type Cancelled<'a> = &'a dyn Fn() -> bool;
-
-/// What is asked for, for the sentences of errors.
-#[derive(Debug, Clone)]
-pub struct Wanted {
-    pub address: String,
-    pub repository: String,
-    pub file: String,
-}
 
 /// What the hub says of a file.
 #[derive(Debug, Clone, Default)]

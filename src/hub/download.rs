@@ -9,13 +9,14 @@ use serde::Serialize;
 
 use super::HubError;
 use super::cache::{cached, holds};
-use super::client::{Client, Meta, Wanted};
+use super::client::{Client, Meta};
 use super::endpoint::Endpoint;
 use super::fetch::{Announced, Fetch};
 use super::hash::Hash;
 use super::progress::{Harness, Progress};
 use super::registry::{Choice, RemoteFile};
 use super::staging::{RECORD, Staging};
+use super::wanted::Wanted;
 
 /// Room that is to stay free on the disk.
 const RESERVE: u64 = 50_000_000;

@@ -7,7 +7,7 @@ use std::time::Duration;
 use ureq::http::HeaderMap;
 
 use super::HubError;
-use super::client::Wanted;
+use super::wanted::Wanted;
 
 /// How long a server that names no time is left alone.
 const USUAL_WAIT: Duration = Duration::from_secs(30);

@@ -6,10 +6,11 @@ use std::io::{Read, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use super::client::{Client, Event, Wanted};
+use super::client::{Client, Event};
 use super::hash::{Hash, Hasher};
 use super::progress::Harness;
 use super::staging::{Staging, remove_file};
+use super::wanted::Wanted;
 use super::{HubError, endpoint};
 
 /// Tries in a row that bring nothing new, before it is given up.

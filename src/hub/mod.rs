@@ -16,6 +16,7 @@ mod progress;
 mod proxy;
 mod registry;
 mod staging;
+mod wanted;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};

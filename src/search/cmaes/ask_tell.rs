@@ -40,7 +40,6 @@ use super::{
     error::SearchError,
     exact,
     options::CmaEsOptions,
-    saved::Saved,
     stop::{DIVERGED, History, StopReason, is_flat},
     strategy::Strategy,
 };
@@ -56,8 +55,7 @@ pub(super) struct Candidate {
 }
 
 /// A search under way.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(try_from = "Saved", into = "Saved")]
+#[derive(Debug, Clone)]
 pub struct CmaEs {
     pub(super) options: CmaEsOptions,
     pub(super) strategy: Strategy,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! What of a search is written down, and how it is taken up again.
 
-use serde::{Deserialize, Serialize};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{
     ask_tell::{Candidate, CmaEs},
@@ -14,7 +15,7 @@ use super::{
 
 /// A search at rest: all that does not follow from its options.
 #[derive(Serialize, Deserialize)]
-pub(super) struct Saved {
+struct Saved {
     options: CmaEsOptions,
     /// Random words drawn so far.
     drawn: u64,
@@ -28,6 +29,18 @@ pub(super) struct Saved {
     best: Option<(Vec<f64>, f64)>,
     history: History,
     stop: Option<StopReason>,
+}
+
+impl Serialize for CmaEs {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Saved::from(self.clone()).serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for CmaEs {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Saved::deserialize(deserializer)?.try_into().map_err(D::Error::custom)
+    }
 }
 
 impl From<CmaEs> for Saved {
