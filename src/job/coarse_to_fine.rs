@@ -1,46 +1,29 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 //! The search on a budget: many short searches of few parts, fewer of more parts that start where the best of those
-//! ended, and the best of all on to the end.
+//! ended, and the best of all on to the end, or by a detour where a rival leads it away.
 //!
 //! Where a search of few parts ends decides which optimum one of many parts finds, and costs little. Half of the
-//! budget goes into finding a good start, half into going on from it. Where another name is still ahead of the prompt
-//! before the last quarter, that goes into another way, which begins with the score alone: no rival leads it away.
+//! budget goes into finding a good start, half into going on from it.
 
 use std::sync::Arc;
 
 use super::JobError;
+use super::climb::NARROW;
 use super::entrant::Entrant;
 use super::outcome::Stage;
 use super::run::{AGAIN, Run};
-use crate::search::{Budget, Preset, Start, StopReason, inherit};
-
-/// First step size of a search that starts where one of fewer parts ended, in units of the search variable.
-const NARROW: f64 = 0.3;
+use crate::search::{Budget, Start, StopReason, inherit};
 
 /// Share of the budget that is spent before the best is gone on with.
 const SCOUTING: f64 = 0.5;
-
-/// Share of the budget that is left for another way where a rival is still ahead of the best.
-const DETOUR: f64 = 0.25;
-
-/// Of that, the share in which nothing but the score counts, and that after which the way is compared with the best.
-const UNRIVALLED: f64 = 0.5;
-const TRIAL: f64 = 0.25;
 
 /// Searches of the fewest parts where the budget is [`USUAL`]; more with the power [`GROWTH`] of a larger one.
 const SCOUTS: f64 = 3.0;
 const USUAL: f64 = 4400.0;
 const GROWTH: f64 = 0.45;
 
-/// The largest budget with which a surrogate guesses candidates. It gains most with 500 images, a little with 1,600,
-/// nothing with some thousand; and what it guesses crowds, where variations are chosen among all candidates.
-const GUIDED: usize = 2500;
-
 /// Searches of more parts, as shares of those of the fewest.
 const FOLLOWERS: [f64; 2] = [0.6, 0.3];
-
-/// Generations after which what a search has come to is judged by every image: this costs a tenth of the images.
-const LOOK: usize = 10;
 
 /// Searches whose outcome is looked at in the end.
 const FINALISTS: usize = 3;
@@ -53,9 +36,8 @@ const PACING: f64 = 0.1;
 const LEAST_IMAGES: usize = 100;
 const MOST_IMAGES: usize = 1_000_000;
 
-/// Of the seconds asked for, the share that the budget is made for, and that after which searches are broken off.
+/// Of the seconds asked for, the share that the budget is made for.
 const MEANT: f64 = 0.85;
-const LATE: f64 = 0.97;
 
 impl<'a> Run<'a> {
     /// Searches the stages, from few parts to many, within the budget.
@@ -115,28 +97,6 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Goes on with the best and, where a rival is ahead of it then, tries another way: for the score alone at first.
-    fn detour(&mut self, field: &mut Vec<Entrant<'a>>, end: usize, number: u64) -> Result<(), JobError> {
-        let Some(leader) = field.first_mut() else { return Ok(()) };
-        let images = (DETOUR * self.budget as f64) as usize;
-        let stage = leader.stage.clone();
-        self.tell(&stage);
-        self.advance(leader, end.saturating_sub(self.spent.images + images))?;
-        self.judge(leader)?;
-        if !leader.is_outdone() || self.is_late() {
-            return Ok(());
-        }
-        let seed = self.spec.seed.wrapping_add(number * AGAIN);
-        let start = Start { factors: stage.whole.unchanged(), sigma: self.spec.preset.sigma, seed };
-        let alone = self.climb(&stage, self.unrivalled, &start, (UNRIVALLED * images as f64) as usize)?;
-        let start =
-            Start { factors: alone.factors().to_vec(), sigma: NARROW, seed: seed.wrapping_add(AGAIN) };
-        let other = self.climb(&stage, &self.spec.preset, &start, (TRIAL * images as f64) as usize)?;
-        field.push(other);
-        field.sort_by(|a, b| a.loss().total_cmp(&b.loss()));
-        Ok(())
-    }
-
     /// Searches a stage once more for the score alone, for half of the budget at most: where the prompt is far off,
     /// its rivals lead away from what little there is to gain.
     fn again(&mut self, stage: &Arc<Stage>) -> Result<(), JobError> {
@@ -166,47 +126,6 @@ impl<'a> Run<'a> {
         inherited.chain(fresh).take(count).collect()
     }
 
-    /// Searches a stage for so many images.
-    fn climb(
-        &mut self,
-        stage: &Arc<Stage>,
-        preset: &'a Preset,
-        start: &Start,
-        images: usize,
-    ) -> Result<Entrant<'a>, JobError> {
-        let mut entrant = self.enter(stage, preset, start, None)?;
-        if self.budget <= GUIDED {
-            entrant.search = entrant.search.guided();
-        }
-        self.advance(&mut entrant, images)?;
-        self.judge(&mut entrant)?;
-        Ok(entrant)
-    }
-
-    /// Goes on with a search until it has encoded so many more images, or ends.
-    fn advance(&mut self, entrant: &mut Entrant<'a>, images: usize) -> Result<(), JobError> {
-        let end = self.spent.images + images;
-        while entrant.search.stop_reason().is_none() && self.spent.images < end && !self.is_late() {
-            self.step(entrant)?;
-            if entrant.search.generations().is_multiple_of(LOOK) {
-                self.judge(entrant)?;
-            }
-            let fraction = self.spent.images as f64 / self.budget.max(1) as f64;
-            self.tell_share(fraction.min(1.0));
-        }
-        Ok(())
-    }
-
-    /// Judges what a search has come to by every image, and shows it.
-    fn judge(&mut self, entrant: &mut Entrant<'a>) -> Result<(), JobError> {
-        let judged = entrant.judge()?;
-        self.count(entrant, judged);
-        if entrant.has_improved() {
-            self.show(&entrant.stage.clone(), entrant.score(), entrant.factors());
-        }
-        Ok(())
-    }
-
     /// The images that can be encoded in so many seconds from the start of the job, by the pace of a short search.
     fn images_in(&mut self, seconds: f64, stage: &Arc<Stage>) -> Result<usize, JobError> {
         let preset = &self.spec.preset;
@@ -222,10 +141,6 @@ impl<'a> Run<'a> {
         let pace = (self.spent.images - images) as f64 / (self.harness.seconds() - since).max(1e-3);
         let left = (MEANT * seconds - self.harness.seconds()).max(0.0);
         Ok(((pace * left) as usize).clamp(LEAST_IMAGES, MOST_IMAGES))
-    }
-
-    fn is_late(&self) -> bool {
-        matches!(self.spec.preset.budget, Some(Budget::Seconds(seconds)) if self.harness.seconds() >= LATE * seconds)
     }
 }
 

@@ -2,8 +2,10 @@
 //! A deformation job: mesh and prompt in, outcome out, on a thread of its own.
 
 mod background;
+mod climb;
 mod coarse_to_fine;
 mod copy_job;
+mod detour;
 mod entrant;
 mod error;
 mod finalist;
