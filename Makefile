@@ -83,7 +83,7 @@ bench: setup $(VENV)/.test-requirements ## measure field, rendering, encoding an
 	-@$(MAKE) --no-print-directory benches/.venv/.wheel
 	$(BIN)/python benches/bench.py
 
-guide: setup ## train the embedded guide again, from nothing (an hour or more on two cores)
+guide: setup ## train the embedded guide again, from nothing (one to two hours on two cores)
 	test -d training/.venv || $(PYTHON) -m venv training/.venv
 	training/.venv/bin/pip install --quiet -r training/requirements.txt dist/*.whl
 	training/.venv/bin/python training/train.py

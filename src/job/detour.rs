@@ -26,7 +26,7 @@ impl<'a> Run<'a> {
         self.tell(&stage);
         self.advance(leader, end.saturating_sub(self.spent.images + images))?;
         self.judge(leader)?;
-        if !leader.is_outdone() || self.is_late() {
+        if leader.rivalry() <= self.spec.preset.tie() || self.is_late() {
             return Ok(());
         }
         let seed = self.spec.seed.wrapping_add(number * AGAIN);

@@ -9,7 +9,7 @@ use super::JobError;
 use super::finalist::{Finalist, improves};
 use super::outcome::{Best, Stage};
 use super::soundness::Soundness;
-use crate::search::{Evaluation, MARGIN, Search, StopReason};
+use crate::search::{Evaluation, Search, StopReason};
 
 /// Halvings of the way back to the mesh where an outcome crosses itself.
 const HALVINGS: usize = 6;
@@ -54,9 +54,9 @@ impl<'a> Entrant<'a> {
         self.best.0.score
     }
 
-    /// Whether the best looks at least as much like another name as like the prompt.
-    pub fn is_outdone(&self) -> bool {
-        self.best.0.rivalry >= MARGIN
+    /// What the strongest rival takes from the best, as weighted.
+    pub fn rivalry(&self) -> f64 {
+        self.best.0.rivalry
     }
 
     /// Whether the best is another shape than what was given.

@@ -28,4 +28,4 @@ pub use preset::{Budget, BudgetError, Preset};
 pub use prompt::{Part, PromptError, TEMPLATES, Wording, parts};
 pub use run::{Search, Start};
 pub use space::{SCALE_RANGE, SearchSpace, SpaceError};
-pub use target::{MARGIN, Target};
+pub use target::Target;

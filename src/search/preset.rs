@@ -4,6 +4,7 @@
 use thiserror::Error;
 
 use super::ImagePlan;
+use super::target::MARGIN;
 use crate::boxdef::{Boundary, Symmetry};
 
 /// Weight of the normal error in the loss.
@@ -106,7 +107,7 @@ impl Preset {
         max_generations: usize::MAX,
         tol_fun: 1e-4,
         images: ImagePlan::Distinct,
-        rival_weight: 1.0,
+        rival_weight: 1.5,
         comparison_weight: 1.0,
         effort_weight: 0.02,
         footing: true,
@@ -168,6 +169,12 @@ impl Preset {
     #[must_use]
     pub fn for_score_alone(self) -> Self {
         Self { rival_weight: 0.0, effort_weight: 0.0, ..self.for_variations() }
+    }
+
+    /// Rivalry, as weighted, of a shape that looks as much like another name as like the prompt.
+    #[must_use]
+    pub fn tie(&self) -> f64 {
+        self.rival_weight * MARGIN
     }
 
     /// Candidates a generation for `dimensions` search variables.

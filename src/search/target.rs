@@ -8,7 +8,7 @@ use crate::guide::Guide;
 const SAME: f64 = 0.9;
 
 /// How far the prompt should be ahead of every other name, in cosine.
-pub const MARGIN: f64 = 0.05;
+pub const MARGIN: f64 = 0.03;
 
 /// What is asked for and its rivals: all the names the guide was taught that mean something else. A sofa is to
 /// look more like a sofa than like a park bench, and a taller chair more like that than like a chair.
