@@ -20,7 +20,7 @@ MINED = 0.4  # share of a batch that comes from searches, once there are any
 HELD_OUT = 3000  # shapes at the end of the first folder that no net is trained on
 OTHER_FAMILY = 0.2  # weight of a pair whose shape and prompt are of different families
 # Where a processor only imitates bfloat16, a batch in it takes twelve times as long as in float32.
-HALVED = any(torch.cpu.get_capabilities().get(unit) for unit in ("amx_bf16", "avx512_bf16"))
+BFLOAT16 = any(torch.cpu.get_capabilities().get(unit) for unit in ("amx_bf16", "avx512_bf16"))
 
 
 def goal(gap):
@@ -103,7 +103,7 @@ def fit(folders, out, steps, seed, threads, resume=None, rate=2e-3):
         owner = np.concatenate([OWNER, family[:PROMPTS]])
         near = torch.from_numpy(np.where(owner == family[:, None], 1.0, OTHER_FAMILY).astype(np.float32))
         words = text(torch.tensor(ids.encode(texts)))
-        with torch.autocast("cpu", dtype=torch.bfloat16, enabled=HALVED):
+        with torch.autocast("cpu", dtype=torch.bfloat16, enabled=BFLOAT16):
             seen = eye(x)
         score = seen @ words.T
         wanted = goal(gap)

@@ -9,7 +9,7 @@ use super::outcome::Stage;
 use super::run::Run;
 use crate::search::{Budget, Preset, Start};
 
-/// First step size of a search that starts where one of fewer parts ended, in units of the search variable.
+/// First step size of a search that starts where another ended, in units of the search variable.
 pub const NARROW: f64 = 0.3;
 
 /// The largest budget with which a surrogate guesses candidates. It gains most with 500 images, a little with 1,600,

@@ -26,7 +26,8 @@ impl<'a> Run<'a> {
         self.tell(&stage);
         self.advance(leader, end.saturating_sub(self.spent.images + images))?;
         self.judge(leader)?;
-        if leader.rivalry() <= self.spec.preset.tie() || self.is_late() {
+        let outdone = leader.rivalry() > self.spec.preset.tie();
+        if !outdone || self.is_late() {
             return Ok(());
         }
         let seed = self.spec.seed.wrapping_add(number * AGAIN);
