@@ -7,9 +7,9 @@ import cma
 import numpy as np
 import scipy.optimize
 
-#: Adam's step length, and how far the points of a difference lie from the current one: the best of
-#: `optimisers.py --tune`.
-RATE, STEP = 0.2, 0.05
+#: Adam's step length, and how far the points of a difference lie from the current one, by forward and by
+#: central differences: the best of `optimisers.py --tune`.
+FORWARD, CENTRAL = (0.2, 0.05), (0.4, 0.1)
 
 
 def cma_es(function, start, bounds, seed):
@@ -64,7 +64,17 @@ def central_gradient(function, x, bounds, step):
     return gradient
 
 
-def adam(function, start, bounds, _seed, rate=RATE, step=STEP, gradient_of=forward_gradient):
+def forward_adam(function, start, bounds, _seed):
+    """Adam on forward differences."""
+    adam(function, start, bounds, *FORWARD, forward_gradient)
+
+
+def central_adam(function, start, bounds, _seed):
+    """Adam on central differences."""
+    adam(function, start, bounds, *CENTRAL, central_gradient)
+
+
+def adam(function, start, bounds, rate, step, gradient_of):
     """Adam (Kingma and Ba, 2015) on differences, held within the bounds."""
     x = start.copy()
     first, second = np.zeros(len(x)), np.zeros(len(x))
