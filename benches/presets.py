@@ -9,7 +9,7 @@ protocol takes a minute and more of a core for a pair and seed. Needs the refere
 
 Our presets want more than a high score: rivals kept off, feet on the floor, no crossings, smooth joints.
 "as the paper" has the paper's loss, joints and symmetry in their place: the same problem for fewer images.
-Beside the presets, budgets between them show how the score grows with the images.
+Beside the presets, budgets between them show how the score grows with the images; `curve.py` draws that.
 """
 
 import argparse
@@ -72,12 +72,34 @@ def search(task):
     }
 
 
-def table(rows):
-    """Lines of Markdown: each preset beside the medians of the paper's protocol."""
+def compared(rows):
+    """What each preset's outcomes are beside the medians of the paper's protocol: a dictionary a preset."""
     scores = collections.defaultdict(lambda: collections.defaultdict(list))
     for row in rows:
         scores[row["preset"]][row["mesh"], row["prompt"]].append(row)
     paper = {pair: np.median([row["after"] for row in some]) for pair, some in scores["paper"].items()}
+    found = {}
+    for preset in PRESETS:
+        pairs = {pair: some for pair, some in scores[preset].items() if pair in paper}
+        if not pairs:
+            continue
+        rows = [row for some in pairs.values() for row in some]
+        before, after = np.array([(row["before"], row["after"]) for row in rows]).T
+        goal = np.array([paper[row["mesh"], row["prompt"]] for row in rows])
+        found[preset] = {
+            "pairs": len(pairs),
+            "seeds": max(map(len, pairs.values())),
+            "images": np.mean([row["images"] for row in rows]),
+            "gains": (after - before) / (goal - before),
+            "reached": np.mean(after >= goal - NEAR),
+            "spread": np.mean([np.std([row["after"] for row in some]) for some in pairs.values()]),
+            "normal_error": np.mean([row["normal_error"] for row in rows]),
+        }
+    return found
+
+
+def table(rows):
+    """Lines of Markdown: each preset beside the medians of the paper's protocol."""
     columns = (
         "preset",
         "pairs × seeds",
@@ -90,39 +112,28 @@ def table(rows):
         "spread over seeds",
         "normal error",
     )
-    lines = ["| " + " | ".join(columns) + " |", "|---" * len(columns) + "|"]
-    for preset in PRESETS:
-        pairs = {pair: some for pair, some in scores[preset].items() if pair in paper}
-        if not pairs:
-            continue
-        rows = [row for some in pairs.values() for row in some]
-        gains = np.array(
-            [
-                (row["after"] - row["before"]) / (paper[row["mesh"], row["prompt"]] - row["before"])
-                for row in rows
-            ]
-        )
-        reached = np.mean([row["after"] >= paper[row["mesh"], row["prompt"]] - NEAR for row in rows])
-        seeds = max(map(len, pairs.values()))
-        spread = np.mean([np.std([row["after"] for row in some]) for some in pairs.values()])
-        cells = [
-            preset,
-            f"{len(pairs)} × {seeds}",
-            f"{np.mean([row['images'] for row in rows]):,.0f}",
-            f"{np.median(gains):.3f}",
-            f"{np.mean(gains):.3f}",
-            f"{np.quantile(gains, 0.1):.2f}",
-            f"{np.mean(gains >= 0.9):.0%}",
-            f"{reached:.0%}",
-            f"{spread:.4f}" if seeds > 1 else "",
-            f"{np.mean([row['normal_error'] for row in rows]):.3f}",
-        ]
-        lines.append("| " + " | ".join(cells) + " |")
     note = (
         "Gains are shares of the paper's median gain for the pair; its median counts as reached "
         f"from {NEAR} below."
     )
-    return [note, "", *lines]
+    lines = [note, "", "![Share of the paper's gain over images](curve.svg)", ""]
+    lines += ["| " + " | ".join(columns) + " |", "|---" * len(columns) + "|"]
+    for preset, found in compared(rows).items():
+        gains = found["gains"]
+        cells = [
+            preset,
+            f"{found['pairs']} × {found['seeds']}",
+            f"{found['images']:,.0f}",
+            f"{np.median(gains):.3f}",
+            f"{np.mean(gains):.3f}",
+            f"{np.quantile(gains, 0.1):.2f}",
+            f"{np.mean(gains >= 0.9):.0%}",
+            f"{found['reached']:.0%}",
+            f"{found['spread']:.4f}" if found["seeds"] > 1 else "",
+            f"{found['normal_error']:.3f}",
+        ]
+        lines.append("| " + " | ".join(cells) + " |")
+    return lines
 
 
 def main():
