@@ -16,6 +16,7 @@ PANELS = (
     ("the paper's loss, joints and symmetry", [f"{name}, as the paper" for name in presets.BUDGETS]),
     ("our loss", list(presets.BUDGETS)),
 )
+#: Presets that are named in the picture.
 MARKS = ("draft", "standard", "best")
 
 

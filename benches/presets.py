@@ -9,7 +9,8 @@ protocol takes a minute and more of a core for a pair and seed. Needs the refere
 
 Our presets want more than a high score: rivals kept off, feet on the floor, no crossings, smooth joints.
 "as the paper" has the paper's loss, joints and symmetry in their place: the same problem for fewer images.
-Beside the presets, budgets between them show how the score grows with the images; `curve.py` draws that.
+Beside the presets, budgets between them show how the score grows with the images. `curve.py` draws that;
+it is to be run after `--record`.
 """
 
 import argparse
